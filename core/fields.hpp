@@ -1,0 +1,132 @@
+// Every array of a run, declared once with its type, length and unit. "In" fields hold the state a step starts
+// from, in the order the last step left it; all others are in the cell order of the current step.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+namespace sluice {
+
+/// Particles per slice of the neighbour list, and per partial sum of a reduction.
+inline constexpr uint32_t slice_width = 16;
+inline constexpr uint32_t chunk_width = 64;
+
+/// What a field's length follows.
+enum class Length { one, fluid, cells, boundary, list, gradients, residual, diagnostics, totals };
+
+enum class Type { real, vec2, vec4, uint, uvec2 };
+
+/// What the totals of a step hold, in this order; the first ten are also partial sums per chunk.
+enum class Total {
+  density, compression, speed_squared, x, y, wall_force_x, wall_force_y, lost, max_compression,
+  max_speed_squared, count
+};
+inline constexpr uint32_t total_count = static_cast<uint32_t>(Total::count);
+/// The totals from this one on are folded by max, those before by sum.
+inline constexpr uint32_t first_max_total = static_cast<uint32_t>(Total::max_compression);
+
+// clang-format off
+/// FIELD(name, type, length, unit, meaning)
+#define SLUICE_FIELDS(FIELD)                                                                                              \
+  FIELD(id_in, uint, fluid, "1", "id of each particle at the start of the step")                                          \
+  FIELD(x_in, vec2, fluid, "length", "position; integration writes it for the next step")                                 \
+  FIELD(v_in, vec2, fluid, "length/time", "velocity; integration writes it for the next step")                            \
+  FIELD(p_in, real, fluid, "density velocity^2", "pressure of the last step, in its order")                               \
+  FIELD(rho_in, real, fluid, "density", "density of the last step, in its order")                                         \
+  FIELD(cell, uint, fluid, "1", "grid cell of each particle of the in fields")                                            \
+  FIELD(C, uint, cells, "1", "first place of each cell in L, and n at the end")                                           \
+  FIELD(L, uint, fluid, "1", "index into the in fields, by cell and then by id")                                          \
+  FIELD(id, uint, fluid, "1", "id")                                                                                       \
+  FIELD(x, vec2, fluid, "length", "position at the start of the step")                                                    \
+  FIELD(v, vec2, fluid, "length/time", "velocity at the start of the step")                                               \
+  FIELD(p, real, fluid, "density velocity^2", "pressure")                                                                 \
+  FIELD(rho, real, fluid, "density", "density")                                                                           \
+  FIELD(list, uvec2, fluid, "1", "first entry and number of entries of the particle's neighbour list")                    \
+  FIELD(index, uint, list, "1", "neighbour j of each entry")                                                              \
+  FIELD(gradient, real, gradients, "1/length^3", "kernel gradient of each entry: a slice's x components, then its y")     \
+  FIELD(list_needed, uint, one, "1", "entries the neighbour list needs; more than there are: it is not complete")         \
+  FIELD(C_boundary, uint, cells, "1", "first boundary sample of each cell, and their number at the end")                  \
+  FIELD(x_boundary, vec2, boundary, "length", "position of each boundary sample, sorted by cell")                         \
+  FIELD(wall_density, real, fluid, "density", "m sum_b W_ib")                                                             \
+  FIELD(wall_gradient, vec2, fluid, "density/length", "B_i = m sum_b dW_ib")                                              \
+  FIELD(wall_gradient_squares, real, fluid, "density^2/length^2", "sum_b |m dW_ib|^2")                                    \
+  FIELD(wall_viscosity, vec4, fluid, "density/length^2", "m sum_b dW_ib x_ib^T / (x_ib.x_ib + 0.01 H^2), by rows")        \
+  FIELD(a_n, vec2, fluid, "length/time^2", "non-pressure acceleration")                                                   \
+  FIELD(v_star, vec2, fluid, "length/time", "velocity without pressure, v*")                                              \
+  FIELD(A_ii, real, fluid, "density/pressure", "diagonal of the pressure system")                                         \
+  FIELD(s, real, fluid, "density", "source of the pressure system")                                                       \
+  FIELD(q, real, fluid, "velocity^2/density", "p / rho^2")                                                                \
+  FIELD(a_p, vec2, fluid, "length/time^2", "pressure acceleration")                                                       \
+  FIELD(Ap, real, fluid, "density", "operator applied to p")                                                              \
+  FIELD(residual_sums, real, residual, "1", "per chunk: sum of |Ap - s|/rho0 of the counted particles; their number")     \
+  FIELD(residual, vec2, one, "1", "the two sums over all chunks")                                                         \
+  FIELD(diagnostic_sums, real, diagnostics, "mixed", "per chunk: the entries of Total")                                   \
+  FIELD(totals, real, totals,      "mixed", "the entries of Total over all chunks")
+// clang-format on
+
+enum class Field : uint8_t {
+#define FIELD(name, type, length, unit, meaning) name,
+  SLUICE_FIELDS(FIELD)
+#undef FIELD
+      count
+};
+inline constexpr uint32_t field_count = static_cast<uint32_t>(Field::count);
+
+struct FieldInfo {
+  std::string_view name;
+  Type type;
+  Length length;
+  std::string_view unit, meaning;
+};
+
+inline constexpr std::array<FieldInfo, field_count> field_table = {{
+#define FIELD(name, type, length, unit, meaning) {#name, Type::type, Length::length, unit, meaning},
+    SLUICE_FIELDS(FIELD)
+#undef FIELD
+}};
+
+constexpr const FieldInfo& info(Field field) { return field_table[static_cast<uint32_t>(field)]; }
+
+/// Bytes of one element with reals of `real_bytes` bytes.
+constexpr uint32_t element_bytes(Type type, uint32_t real_bytes) {
+  switch (type) {
+    case Type::real: return real_bytes;
+    case Type::vec2: return 2 * real_bytes;
+    case Type::vec4: return 4 * real_bytes;
+    case Type::uint: return 4;
+    case Type::uvec2: return 8;
+  }
+  return 0;
+}
+
+/// The numbers every length follows from.
+struct Sizes {
+  uint64_t fluid = 0, boundary = 0, cells = 0, list = 0;
+
+  uint64_t chunks() const { return (fluid + chunk_width - 1) / chunk_width; }
+
+  uint64_t of(Length length) const {
+    switch (length) {
+      case Length::one: return 1;
+      case Length::fluid: return fluid;
+      case Length::cells: return cells + 1;
+      case Length::boundary: return boundary;
+      case Length::list: return list;
+      case Length::gradients: return 2 * list;
+      case Length::residual: return 2 * chunks();
+      case Length::diagnostics: return total_count * chunks();
+      case Length::totals: return total_count;
+    }
+    return 0;
+  }
+};
+
+/// Entries to set aside for the neighbour lists of `n` particles at smoothing H/h: the mean number of neighbours is
+/// pi (2H/h)^2 - 1, a slice is as long as its longest list, and what is missing is added when it is needed.
+constexpr uint64_t first_list_size(uint64_t n, double smoothing) {
+  const uint64_t slices = (n + slice_width - 1) / slice_width;
+  return slices * slice_width * static_cast<uint64_t>(20 * smoothing * smoothing + 0.5) + 64 * slice_width;
+}
+
+}  // namespace sluice

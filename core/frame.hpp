@@ -1,0 +1,23 @@
+// What a picture shows of one moment of a run, without saying how it is drawn.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/scene.hpp"
+
+namespace sluice {
+
+/// One moment of the fluid. The spans have the same length and are only read during the call they are given
+/// to.
+struct Frame {
+  std::span<const Vec2> fluid;    ///< positions
+  std::span<const double> value;  ///< |v| dt/h for speed, rho/rho0 for density, p for pressure
+  Colour colour = Colour::speed;
+  double low = 0, high = 1;       ///< values at the ends of the colour bar; speed has its own, 0 and 1
+  std::vector<std::string> text;  ///< lines in the top left corner, UTF-8
+  bool colour_bar = false;
+};
+
+}  // namespace sluice

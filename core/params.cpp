@@ -1,0 +1,72 @@
+// Scene -> constants of a run. The grid covers the domain with cells of 2H.
+#include "core/params.hpp"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "core/scene.hpp"
+
+namespace sluice {
+namespace {
+
+/// Edge of a grid cell: 2H, widened by what rounding a position's cell coordinate to float can cost, so that two
+/// particles in reach of each other never lie more than one cell apart.
+double cell_edge(const Scene& scene) {
+  const double support = 2 * scene.smoothing_length();
+  const glm::dvec2 extent = scene.domain_max - scene.domain_min;
+  const double cells = std::max(extent.x, extent.y) / support + 1;
+  return support * (1 + 4 * double(std::numeric_limits<float>::epsilon()) * cells);
+}
+
+}  // namespace
+
+glm::dvec2 grid_cells(const Scene& scene) {
+  return glm::ceil((scene.domain_max - scene.domain_min) / cell_edge(scene)) + 2.0;
+}
+
+Params make_params(const Scene& scene, uint32_t n, uint32_t n_boundary) {
+  const double H = scene.smoothing_length();
+  Params p;
+  p.h = scene.spacing;
+  p.m = scene.mass();
+  p.rho0 = scene.rest_density;
+  p.dt = scene.dt;
+  p.inverse_H = 1 / H;
+  p.support_squared = 4 * H * H;
+  p.kernel_factor = 5 / (14 * std::numbers::pi * H * H);
+  p.gradient_factor = 5 / (14 * std::numbers::pi * H * H * H);
+  p.nu = scene.viscosity_model == ViscosityModel::laplacian ? scene.viscosity : 0;
+  p.viscosity_floor = 0.01 * H * H;
+  p.k = scene.ssph ? scene.ssph->stiffness : 0;
+  p.omega = scene.iisph.omega;
+  p.warm_start = scene.iisph.warm_start;
+  p.source_weight = scene.iisph.source_weight;
+  p.wall_pressure = scene.boundary_model == BoundaryModel::mirror ? 1 / (p.rho0 * p.rho0) : 0;
+  p.central_force = scene.central_force;
+  p.largest_move = 0.1 * p.h;
+  p.inverse_cell = 1 / cell_edge(scene);
+  p.gravity = scene.gravity;
+  p.centre = scene.centre;
+  p.origin = scene.domain_min;
+  p.domain_min = scene.domain_min;
+  p.domain_max = scene.domain_max;
+  p.n = n;
+  p.n_boundary = n_boundary;
+  const glm::dvec2 cells = grid_cells(scene);
+  p.columns = static_cast<uint32_t>(cells.x);
+  p.rows = static_cast<uint32_t>(cells.y);
+  return p;
+}
+
+Params make_relax_params(const Params& params) {
+  Params p = params;
+  p.dt = 1;
+  p.gravity = {};
+  p.central_force = 0;
+  p.warm_start = 0;
+  p.source_weight = 1;
+  return p;
+}
+
+}  // namespace sluice

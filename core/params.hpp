@@ -1,0 +1,94 @@
+// All constants of a run, declared once: the CPU stages read ParamsOf<float> or ParamsOf<double>, the shaders a
+// uniform block made from the same list. Derived constants are computed in double and rounded once.
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+
+namespace sluice {
+
+struct Scene;
+
+// clang-format off
+/// REAL(name, meaning), VEC2(name, meaning), UINT(name, meaning)
+#define SLUICE_PARAMS(REAL, VEC2, UINT)                                                                     \
+  REAL(h, "particle spacing")                                                                               \
+  REAL(m, "particle mass, rho0 h^2")                                                                        \
+  REAL(rho0, "rest density")                                                                                \
+  REAL(dt, "time step")                                                                                     \
+  REAL(inverse_H, "1 / H, with H the smoothing length")                                                     \
+  REAL(support_squared, "(2H)^2")                                                                           \
+  REAL(kernel_factor, "5 / (14 pi H^2)")                                                                    \
+  REAL(gradient_factor, "5 / (14 pi H^3)")                                                                  \
+  REAL(nu, "coefficient of the Laplacian viscosity")                                                        \
+  REAL(viscosity_floor, "0.01 H^2, keeps the viscosity's denominator from vanishing")                       \
+  REAL(k, "stiffness of the state equation")                                                                \
+  REAL(omega, "relaxation of an IISPH sweep")                                                               \
+  REAL(warm_start, "share of the last step's pressure IISPH starts from")                                   \
+  REAL(source_weight, "weight of rho0 - rho in the IISPH source")                                           \
+  REAL(wall_pressure, "1 / rho0^2 where a boundary sample mirrors the pressure")                            \
+  REAL(central_force, "c in a = -c (x - centre)")                                                           \
+  REAL(largest_move, "0.1 h, cap of one relaxation move")                                                   \
+  REAL(inverse_cell, "1 / edge of a grid cell")                                                             \
+  VEC2(gravity, "external acceleration")                                                                    \
+  VEC2(centre, "centre of the central force")                                                               \
+  VEC2(origin, "lower left corner of the grid, without its padding")                                        \
+  VEC2(domain_min, "lower left corner of the domain")                                                       \
+  VEC2(domain_max, "upper right corner of the domain")                                                      \
+  UINT(n, "number of fluid particles")                                                                      \
+  UINT(n_boundary, "number of boundary samples")                                                            \
+  UINT(columns, "grid cells per row, padding included")                                                     \
+  UINT(rows, "rows of grid cells, padding included")
+// clang-format on
+
+template <class Real>
+struct ParamsOf {
+#define REAL(name, meaning) Real name = 0;
+#define VEC2(name, meaning) glm::vec<2, Real> name{};
+#define UINT(name, meaning) uint32_t name = 0;
+  SLUICE_PARAMS(REAL, VEC2, UINT)
+#undef REAL
+#undef VEC2
+#undef UINT
+
+  template <class Other>
+  ParamsOf<Other> to() const {
+    ParamsOf<Other> other;
+#define REAL(name, meaning) other.name = static_cast<Other>(name);
+#define VEC2(name, meaning) other.name = glm::vec<2, Other>(name);
+#define UINT(name, meaning) other.name = name;
+    SLUICE_PARAMS(REAL, VEC2, UINT)
+#undef REAL
+#undef VEC2
+#undef UINT
+    return other;
+  }
+};
+
+using Params = ParamsOf<double>;
+
+/// The constants of `scene` with `n` fluid particles and `n_boundary` boundary samples.
+Params make_params(const Scene& scene, uint32_t n, uint32_t n_boundary);
+
+/// The same for a relaxation of the positions: dt = 1, no external force, p starts at 0, s = rho0 - rho.
+Params make_relax_params(const Params& params);
+
+/// Grid cells along the edges of the scene's domain, padding included; as doubles, so that nothing overflows.
+glm::dvec2 grid_cells(const Scene& scene);
+
+/// Cell of position x, padding included. Positions outside the grid belong to its outermost cells: the clamp is
+/// monotone, so neighbours stay neighbours. NaN goes to the first cell.
+template <class Real>
+uint32_t cell_of(const ParamsOf<Real>& params, glm::vec<2, Real> x) {
+  const auto along = [&](Real offset, uint32_t padded) {
+    const Real last = static_cast<Real>(padded - 3);
+    Real t = offset * params.inverse_cell;
+    t = t > Real(0) ? t : Real(0);
+    t = t < last ? t : last;
+    return static_cast<uint32_t>(t) + 1u;
+  };
+  return along(x.y - params.origin.y, params.rows) * params.columns +
+         along(x.x - params.origin.x, params.columns);
+}
+
+}  // namespace sluice

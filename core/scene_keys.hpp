@@ -1,0 +1,105 @@
+// The table of everything a scene file can say: one row per key, one row per table. It is pure data;
+// validation (scene_check), the defaults, the settings of a run and docs/scene_keys.md are all made from it.
+#pragma once
+
+#include <limits>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace sluice {
+
+/// What a key's value looks like in TOML. A length is a number or a string such as "240+3h".
+enum class KeyType {
+  text,      ///< string
+  number,    ///< integer or float
+  integer,   ///< integer
+  length,    ///< length
+  numbers,   ///< [x, y], two numbers
+  lengths,   ///< [x, y], two lengths
+  integers,  ///< [x, y], two integers
+  matrix,    ///< [[a, b], [c, d]], rows of numbers
+  points,    ///< [[x, y], [x, y], [x, y], ...], three or more pairs of lengths
+  choice,    ///< one of the names in `choices`
+  choices    ///< array of one or more of the names in `choices`, each at most once
+};
+
+/// Bounds of a number, or of every number in an array. Infinite bounds are none.
+struct KeyRange {
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+  bool low_excluded = false;
+  bool high_excluded = false;
+};
+
+/// A name that a choice can take. One that is not available yet is known, and refused where it would be used.
+struct KeyChoice {
+  std::string_view name;
+  bool available = true;
+};
+
+/// The fallback of a key that has none and must be given.
+inline constexpr std::string_view required_key = "required";
+
+struct SceneKey {
+  std::string_view path;  ///< section and name, arrays of tables marked: "fluid.rect[].min"
+  KeyType type;
+  std::string_view unit;  ///< in the scene's own units; empty: a pure number or no number
+  std::string_view
+      fallback;  ///< default as TOML text, `required_key`, or empty: may be absent, has no default
+  KeyRange range;
+  std::string_view meaning;  ///< one line of Markdown
+  std::span<const KeyChoice> choices = {};
+  bool available = true;  ///< false: known, but refused with "not available yet"
+
+  std::string_view section() const { return path.substr(0, path.rfind('.')); }
+  std::string_view name() const { return path.substr(path.rfind('.') + 1); }
+};
+
+/// Whether a table must be written, is filled in with its defaults, or stays absent when it is not written.
+enum class Presence { required, defaulted, optional };
+
+struct SceneSection {
+  std::string_view path;  ///< "pressure.iisph"; "fluid.rect[]" for an array of tables
+  Presence presence;
+  std::string_view meaning;
+
+  bool is_array() const { return path.ends_with("[]"); }
+  /// Path of the table that holds this one; empty for a table at the top of the file.
+  std::string_view parent() const {
+    return path.find('.') == path.npos ? std::string_view{} : path.substr(0, path.rfind('.'));
+  }
+  /// Last part of the path, without brackets.
+  std::string_view name() const {
+    std::string_view last = path.substr(path.rfind('.') + 1);
+    return is_array() ? last.substr(0, last.size() - 2) : last;
+  }
+};
+
+/// All keys, grouped by section, in the order of the documentation and of Scene::settings.
+std::span<const SceneKey> scene_keys();
+
+/// All tables; a table comes before the tables inside it.
+std::span<const SceneSection> scene_sections();
+
+/// What a value of this key has to be, to follow "expected": "a number greater than 0".
+std::string expectation(const SceneKey& key);
+
+/// The same for one element of an array-valued key; for any other key as `expectation`.
+std::string element_expectation(const SceneKey& key);
+
+/// What any length has to be, forms included.
+std::string length_expectation();
+
+/// Names as a list in a sentence: "a", "b" or "c", quoted; the unavailable ones are left out.
+std::string join_choices(std::span<const KeyChoice> choices, std::string_view last_word = "or");
+
+/// The known name nearest to an unknown one in the table `section` (a path as in SceneSection, empty for the
+/// top): of the same table if one is close, else the full path of a key or table of this very name elsewhere,
+/// else whatever is least far in the same table.
+std::string nearest_key(std::string_view section, std::string_view unknown);
+
+/// The reference of scene files as Markdown: docs/scene_keys.md, and the output of `sluice scenes --keys`.
+std::string key_reference();
+
+}  // namespace sluice

@@ -1,0 +1,254 @@
+// The step, the solver loop, the start and the verdict.
+#include "core/simulator.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "core/error.hpp"
+
+namespace sluice {
+namespace {
+
+/// Beyond these a run is invalid: a particle crosses 100 spacings in a step, or a tenth of the fluid is lost.
+constexpr double largest_cfl = 100;
+constexpr double largest_lost_share = 0.1;
+constexpr double relax_tolerance = 1e-4;
+
+/// Boundary samples sorted by grid cell, and the first of each cell.
+struct SortedBoundary {
+  std::vector<uint32_t> C;
+  std::vector<Vec2> x;
+};
+
+SortedBoundary sort_boundary(const std::vector<Vec2>& boundary, const Params& params, uint64_t cells) {
+  SortedBoundary sorted;
+  sorted.C.assign(cells + 1, 0);
+  sorted.x.resize(boundary.size());
+  for (const Vec2 x : boundary) ++sorted.C[cell_of(params, x) + 1];
+  std::partial_sum(sorted.C.begin(), sorted.C.end(), sorted.C.begin());
+  std::vector<uint32_t> next = sorted.C;
+  for (const Vec2 x : boundary) sorted.x[next[cell_of(params, x)]++] = x;
+  return sorted;
+}
+
+std::span<const double> flat(const std::vector<Vec2>& values) {
+  return {reinterpret_cast<const double*>(values.data()), 2 * values.size()};
+}
+std::span<double> flat(std::vector<Vec2>& values) {
+  return {reinterpret_cast<double*>(values.data()), 2 * values.size()};
+}
+
+template <class T>
+std::vector<T> by_id(const std::vector<T>& values, const std::vector<uint32_t>& ids) {
+  std::vector<T> sorted(values.size());
+  for (size_t i = 0; i < values.size(); ++i) sorted[ids[i]] = values[i];
+  return sorted;
+}
+
+bool is_finite(Vec2 a) { return std::isfinite(a.x) && std::isfinite(a.y); }
+
+}  // namespace
+
+Simulator::Simulator(const Scene& scene, const Samples& samples, Backend& backend)
+    : scene_(scene),
+      samples_(samples),
+      backend_(backend),
+      params_(make_params(scene, static_cast<uint32_t>(samples.fluid.size()),
+                          static_cast<uint32_t>(samples.boundary.size()))),
+      plan_(make_plan(needs_of(scene))) {
+  sizes_.fluid = samples.fluid.size();
+  sizes_.boundary = samples.boundary.size();
+  sizes_.cells = uint64_t{params_.columns} * params_.rows;
+  sizes_.list = first_list_size(sizes_.fluid, scene.smoothing);
+  start(scene.relax > 0 ? relaxed_positions(samples.fluid) : samples.fluid);
+}
+
+/// Velocities come from the (relaxed) positions. The density of the start is computed, so that it can be drawn.
+void Simulator::start(const std::vector<Vec2>& x) {
+  std::vector<Vec2> v(x.size());
+  for (size_t i = 0; i < x.size(); ++i) {
+    v[i] = start_velocity(scene_.fluid[samples_.fluid_shape[i]], scene_.spacing, x[i]);
+  }
+  allocate(plan_);
+  backend_.configure(params_, plan_.needs);
+  upload_state(x, v);
+  begin_step();
+  run_search(plan_);
+  const std::vector<Vec2> sorted_x = vectors(Field::x), sorted_v = vectors(Field::v);
+  backend_.upload(Field::x_in, flat(sorted_x));
+  backend_.upload(Field::v_in, flat(sorted_v));
+  backend_.reset_seconds();
+}
+
+std::vector<Vec2> Simulator::relaxed_positions(const std::vector<Vec2>& x) {
+  const Plan plan = make_relax_plan(plan_.needs);
+  allocate(plan);
+  backend_.configure(make_relax_params(params_), plan.needs);
+  upload_state(x, std::vector<Vec2>(x.size()));
+  for (uint32_t round = 0; round < scene_.relax; ++round) {
+    begin_step();
+    run_search(plan);
+    run(plan.forces);
+    StepReport report;
+    solve_pressure(plan, relax_tolerance, report);
+    run(plan.finish);
+  }
+  const std::vector<Vec2> relaxed = by_id(vectors(Field::x_in), ids(Field::id));
+  for (size_t i = 0; i < relaxed.size(); ++i) {
+    if (is_finite(relaxed[i])) continue;
+    throw InputError(fmt::format("{}: fluid.relax: found a relaxation that diverges at particle {} near ({:g}, {:g}), "
+                                 "expected positions that can be relaxed; lower fluid.jitter or leave out fluid.relax",
+                                 scene_.file, i, x[i].x, x[i].y));
+  }
+  return relaxed;
+}
+
+void Simulator::allocate(const Plan& plan) {
+  backend_.allocate(plan.fields(), sizes_);
+  if (!plan.needs.boundary) return;
+  const SortedBoundary boundary = sort_boundary(samples_.boundary, params_, sizes_.cells);
+  backend_.upload(Field::C_boundary, boundary.C);
+  backend_.upload(Field::x_boundary, flat(boundary.x));
+}
+
+/// Fields are zero after allocation, pressure and density too.
+void Simulator::upload_state(const std::vector<Vec2>& x, const std::vector<Vec2>& v) {
+  std::vector<uint32_t> id(x.size());
+  std::iota(id.begin(), id.end(), 0u);
+  backend_.upload(Field::id, id);
+  backend_.upload(Field::x_in, flat(x));
+  backend_.upload(Field::v_in, flat(v));
+}
+
+/// What the last step computed becomes what this one starts from; x_in and v_in are there already.
+void Simulator::begin_step() {
+  backend_.swap(Field::id, Field::id_in);
+  backend_.swap(Field::p, Field::p_in);
+  backend_.swap(Field::rho, Field::rho_in);
+}
+
+void Simulator::run(const std::vector<Stage>& stages) {
+  for (const Stage stage : stages) backend_.run(stage);
+}
+
+/// A neighbour list that came out too short is made longer and filled again.
+void Simulator::run_search(const Plan& plan) {
+  for (const Stage stage : plan.search) {
+    backend_.run(stage);
+    if (stage != Stage::neighbours) continue;
+    uint32_t needed = 0;
+    while (backend_.download(Field::list_needed, std::span(&needed, 1)), needed > sizes_.list) {
+      if (needed == std::numeric_limits<uint32_t>::max()) {
+        throw EnvironmentError("the neighbour list would need more than 2^32 entries: particles crowd together; use a "
+                               "smaller time step or fewer particles");
+      }
+      sizes_.list = std::min<uint64_t>(uint64_t{needed} + needed / 4, std::numeric_limits<uint32_t>::max() - 1) /
+                    slice_width * slice_width;
+      backend_.resize_list(sizes_.list);
+      backend_.run(stage);
+    }
+  }
+}
+
+/// The IISPH loop [Hunkler 2022, algorithm 6], capped.
+void Simulator::solve_pressure(const Plan& plan, double tolerance, StepReport& report) {
+  if (plan.sweep.empty()) return;
+  const Iisph& iisph = scene_.iisph;
+  double error = std::numeric_limits<double>::infinity();
+  while ((error >= tolerance || report.iterations < iisph.min_iterations) && report.iterations < iisph.max_iterations) {
+    run(plan.sweep);
+    std::array<double, 2> sums{};
+    backend_.download(Field::residual, sums);
+    error = sums[1] == 0 ? 0 : sums[0] / sums[1];
+    ++report.iterations;
+  }
+  report.residual = error;
+  report.converged = error < tolerance;
+}
+
+StepReport Simulator::step() {
+  StepReport report;
+  report.step = ++steps_;
+  report.time = time();
+  report.dt = scene_.dt;
+  begin_step();
+  run_search(plan_);
+  run(plan_.forces);
+  solve_pressure(plan_, scene_.iisph.tolerance, report);
+  run(plan_.finish);
+  std::array<double, total_count> totals{};
+  backend_.download(Field::totals, totals);
+  report.diagnostics = make_diagnostics(totals, params_);
+  last_state_finite_ = report.diagnostics.finite();
+  failure_ = judge(report);
+  return report;
+}
+
+std::optional<Failure> Simulator::judge(const StepReport& report) const {
+  const Diagnostics& d = report.diagnostics;
+  const bool too_fast = d.cfl > largest_cfl, too_many_lost = d.lost > largest_lost_share * params_.n;
+  if (last_state_finite_ && !too_fast && !too_many_lost) return std::nullopt;
+
+  const std::vector<uint32_t> id = ids(Field::id);
+  const auto x = by_id(vectors(Field::x_in), id), v = by_id(vectors(Field::v_in), id);
+  const auto before = by_id(vectors(Field::x), id);
+  const auto lost = [&](size_t i) {
+    return x[i].x < params_.domain_min.x || x[i].x > params_.domain_max.x || x[i].y < params_.domain_min.y;
+  };
+  Failure failure{report.step, report.time, 0, {}, {}};
+  const auto first_with = [&](auto condition) {
+    uint32_t i = 0;
+    while (i + 1 < x.size() && !condition(i)) ++i;
+    return i;
+  };
+  if (!last_state_finite_) {
+    failure.id = first_with([&](size_t i) { return !is_finite(x[i]) || !is_finite(v[i]); });
+    failure.reason = "a value is not finite";
+  } else if (too_fast) {
+    for (uint32_t i = 0; i < v.size(); ++i) {
+      if (glm::length(v[i]) > glm::length(v[failure.id])) failure.id = i;
+    }
+    failure.reason = fmt::format("a particle moved by {:.3g} spacings in one step, more than {:g}", d.cfl, largest_cfl);
+  } else {
+    failure.id = first_with(lost);
+    failure.reason = fmt::format("{} of {} particles are lost, more than {:g} %", d.lost, params_.n,
+                                 100 * largest_lost_share);
+  }
+  failure.x = is_finite(x[failure.id]) ? x[failure.id] : before[failure.id];
+  return failure;
+}
+
+std::vector<uint32_t> Simulator::ids(Field field) const {
+  std::vector<uint32_t> values(sizes_.fluid);
+  backend_.download(field, values);
+  return values;
+}
+
+std::vector<double> Simulator::scalars(Field field) const {
+  std::vector<double> values(sizes_.fluid);
+  backend_.download(field, values);
+  return values;
+}
+
+std::vector<Vec2> Simulator::vectors(Field field) const {
+  std::vector<Vec2> values(sizes_.fluid);
+  backend_.download(field, flat(values));
+  return values;
+}
+
+Snapshot Simulator::snapshot() const {
+  const std::vector<uint32_t> id = ids(Field::id);
+  if (last_state_finite_) {
+    return {by_id(vectors(Field::x_in), id), by_id(vectors(Field::v_in), id), by_id(scalars(Field::rho), id),
+            by_id(scalars(Field::p), id)};
+  }
+  // The state before the step that failed: x and v in the order of that step, rho and p in that of the step before.
+  const std::vector<uint32_t> id_before = ids(Field::id_in);
+  return {by_id(vectors(Field::x), id), by_id(vectors(Field::v), id), by_id(scalars(Field::rho_in), id_before),
+          by_id(scalars(Field::p_in), id_before)};
+}
+
+}  // namespace sluice

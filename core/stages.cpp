@@ -1,0 +1,92 @@
+// The rows of the stage table.
+#include "core/stages.hpp"
+
+#include "core/scene.hpp"
+
+namespace sluice {
+namespace {
+
+constexpr bool always(const Needs&) { return true; }
+constexpr bool boundary(const Needs& needs) { return needs.boundary; }
+constexpr bool laplacian(const Needs& needs) { return needs.laplacian; }
+constexpr bool state_equation(const Needs& needs) { return needs.state_equation; }
+constexpr bool linear_system(const Needs& needs) { return needs.linear_system; }
+constexpr bool relaxation(const Needs& needs) { return needs.relaxation; }
+
+using enum Field;
+
+constexpr FieldSet neighbour_list{list, index, gradient};
+constexpr FieldSet wall_fields{wall_density, wall_gradient, wall_gradient_squares, wall_viscosity};
+
+}  // namespace
+
+const std::array<StageInfo, stage_count>& stage_table() {
+  static const std::array<StageInfo, stage_count> table = {{
+      {"grid_count", {x_in}, {cell, C}, Length::fluid, always, "C[c] = number of particles in cell c"},
+      {"grid_scan", {C}, {C}, Length::cells, always, "C[c] := C[0] + ... + C[c]"},
+      {"grid_scatter", {cell, C}, {C, L}, Length::fluid, always, "C[c] := C[c] - 1, L[C[c]] = i"},
+      {"grid_order", {C, L, id_in}, {L}, Length::cells, always, "L within each cell by id"},
+      {"reorder", {L, id_in, x_in, v_in, p_in}, {id, x, v, p}, Length::fluid, always, "x_i = x_in[L[i]], ..."},
+      {"neighbours", {x, C}, {list, index, gradient, list_needed}, Length::fluid, always, "j: |x_ij| < 2H; dW_ij"},
+      {"boundary", {x, C_boundary, x_boundary}, wall_fields, Length::fluid, boundary,
+       "m sum_b W_ib, B_i = m sum_b dW_ib, ..."},
+      {"density", FieldSet{x, list, index, wall_density}, {rho}, Length::fluid, always,
+       "rho_i = m (W_ii + sum_j W_ij + sum_b W_ib)"},
+      {"external", {x}, {a_n}, Length::fluid, always, "a_n = g - c (x - centre)"},
+      {"viscosity", neighbour_list | FieldSet{x, v, rho, wall_viscosity, a_n}, {a_n}, Length::fluid, laplacian,
+       "a_n += 2 nu m sum (1/rho_j) (v_ij.x_ij)/(x_ij.x_ij + 0.01 H^2) dW_ij"},
+      {"predict", {v, a_n}, {v_star}, Length::fluid, always, "v* = v + dt a_n"},
+      {"state_equation", {rho}, {p, q}, Length::fluid, state_equation, "p = max(k (rho/rho0 - 1), 0)"},
+      {"diagonal", FieldSet{list, gradient, rho, wall_gradient, wall_gradient_squares}, {A_ii}, Length::fluid,
+       linear_system, "A_ii = -dt^2 m^2/rho_i^2 (|sum dW|^2 + sum |dW|^2)"},
+      {"source", neighbour_list | FieldSet{v_star, rho, p, wall_gradient}, {s, p, q}, Length::fluid, linear_system,
+       "s_i = rho0 - rho_i - dt m sum v*_ij.dW_ij; p := warm_start p"},
+      {"pressure_acceleration", neighbour_list | FieldSet{p, q, wall_gradient}, {a_p}, Length::fluid, always,
+       "a_p = -m sum_j (q_i + q_j) dW_ij - (q_i + p_i/rho0^2) B_i"},
+      {"pressure_operator", neighbour_list | FieldSet{a_p, wall_gradient}, {Ap}, Length::fluid, linear_system,
+       "Ap = dt^2 (m sum_j (a_p,i - a_p,j).dW_ij + a_p,i.B_i)"},
+      {"pressure_update", {Ap, s, A_ii, rho, p}, {p, q, residual_sums}, Length::fluid, linear_system,
+       "p := max(p + omega (s - Ap)/A_ii, 0)"},
+      {"residual", {residual_sums}, {Field::residual}, Length::residual, linear_system,
+       "e = mean of |Ap - s|/rho0"},
+      {"integrate", {x, v_star, a_p}, {x_in, v_in}, Length::fluid, always, "v = v* + dt a_p, x = x + dt v"},
+      {"relax", {x, v, a_p}, {x_in, v_in}, Length::fluid, relaxation, "x := x + a_p, moved by at most 0.1 h"},
+      {"diagnostics", {x_in, v_in, rho, p, q, wall_gradient}, {diagnostic_sums}, Length::fluid, always,
+       "sums and largest values per chunk"},
+      {"totals", {diagnostic_sums}, {Field::totals}, Length::diagnostics, always, "the same over all chunks"},
+  }};
+  return table;
+}
+
+const StageInfo& info(Stage stage) { return stage_table()[static_cast<uint32_t>(stage)]; }
+
+Needs needs_of(const Scene& scene) {
+  Needs needs;
+  needs.boundary = scene.boundary_model != BoundaryModel::none;
+  needs.laplacian = scene.viscosity_model == ViscosityModel::laplacian && scene.viscosity > 0;
+  needs.state_equation = scene.method == PressureMethod::ssph;
+  needs.linear_system = scene.method == PressureMethod::iisph;
+  needs.relaxation = scene.relax > 0;
+  return needs;
+}
+
+namespace {
+
+/// Without boundary there are no wall fields, without viscosity no wall viscosity.
+FieldSet needed_only(FieldSet set, const Needs& needs) {
+  FieldSet kept;
+  for (uint32_t i = 0; i < field_count; ++i) {
+    const Field field = static_cast<Field>(i);
+    const bool wall_without_boundary = wall_fields.has(field) && !needs.boundary;
+    const bool unused_viscosity = field == wall_viscosity && !needs.laplacian;
+    if (set.has(field) && !wall_without_boundary && !unused_viscosity) kept = kept | FieldSet{field};
+  }
+  return kept;
+}
+
+}  // namespace
+
+FieldSet reads_of(Stage stage, const Needs& needs) { return needed_only(info(stage).reads, needs); }
+FieldSet writes_of(Stage stage, const Needs& needs) { return needed_only(info(stage).writes, needs); }
+
+}  // namespace sluice

@@ -1,0 +1,179 @@
+// Allocation, transfers, and the switch from a stage of the table to its function.
+#include "cpu/backend.hpp"
+
+#include <fmt/format.h>
+#include <omp.h>
+
+#include <chrono>
+#include <fstream>
+#include <new>
+#include <stdexcept>
+#include <type_traits>
+
+#include "core/error.hpp"
+#include "cpu/stages.hpp"
+
+namespace sluice::cpu {
+namespace {
+
+template <class T>
+void resize_to(std::vector<T>& values, uint64_t size) {
+  values = std::vector<T>();
+  values.resize(size);
+}
+
+/// Calls f with the vector of `field`.
+template <class AnyState, class F>
+void visit_field(AnyState& state, Field field, F&& f) {
+  switch (field) {
+#define FIELD(name, type, length, unit, meaning) \
+  case Field::name: f(state.name); return;
+    SLUICE_FIELDS(FIELD)
+#undef FIELD
+    case Field::count: break;
+  }
+}
+
+/// Whether elements of type T are made of reals (or of uints).
+template <class T>
+constexpr bool is_uint = std::is_same_v<T, uint32_t> || std::is_same_v<T, glm::uvec2>;
+
+template <class Scalar, class T>
+auto scalars(std::vector<T>& values) {
+  return std::span(reinterpret_cast<Scalar*>(values.data()), values.size() * sizeof(T) / sizeof(Scalar));
+}
+template <class Scalar, class T>
+auto scalars(const std::vector<T>& values) {
+  return std::span(reinterpret_cast<const Scalar*>(values.data()), values.size() * sizeof(T) / sizeof(Scalar));
+}
+
+template <class From, class To>
+void copy_converted(std::span<const From> from, std::span<To> to, Field field) {
+  if (from.size() != to.size()) {
+    throw std::logic_error(fmt::format("field {}: {} values for {}", info(field).name, from.size(), to.size()));
+  }
+  for (size_t i = 0; i < from.size(); ++i) to[i] = static_cast<To>(from[i]);
+}
+
+template <class Real>
+class CpuBackend final : public Backend {
+ public:
+  explicit CpuBackend(int threads) { state_.threads = threads; }
+
+  void allocate(FieldSet fields, const Sizes& sizes) override {
+    state_.sizes = sizes;
+    try {
+      for (uint32_t i = 0; i < field_count; ++i) {
+        const Field field = static_cast<Field>(i);
+        const uint64_t size = fields.has(field) ? sizes.of(info(field).length) : 0;
+        visit_field(state_, field, [&](auto& values) { resize_to(values, size); });
+      }
+    } catch (const std::bad_alloc&) {
+      throw EnvironmentError(fmt::format("out of memory for {} particles; close other programs or use fewer particles",
+                                         sizes.fluid));
+    }
+  }
+
+  void resize_list(uint64_t entries) override {
+    state_.sizes.list = entries;
+    try {
+      resize_to(state_.index, state_.sizes.of(Length::list));
+      resize_to(state_.gradient, state_.sizes.of(Length::gradients));
+    } catch (const std::bad_alloc&) {
+      throw EnvironmentError(fmt::format(
+          "out of memory for a neighbour list of {} entries; particles crowd together, use a smaller time step", entries));
+    }
+  }
+
+  void configure(const Params& params, const Needs& needs) override {
+    state_.params = params.to<Real>();
+    state_.needs = needs;
+  }
+
+  void run(Stage stage) override {
+    const auto start = std::chrono::steady_clock::now();
+    switch (stage) {
+#define STAGE(name) \
+  case Stage::name: cpu::name(state_); break;
+      SLUICE_STAGES(STAGE)
+#undef STAGE
+      case Stage::count: throw std::logic_error("not a stage");
+    }
+    seconds_[static_cast<uint32_t>(stage)] +=
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  }
+
+  void swap(Field a, Field b) override {
+    visit_field(state_, a, [&]<class A>(A& left) {
+      visit_field(state_, b, [&]<class B>(B& right) {
+        if constexpr (std::is_same_v<A, B>) {
+          left.swap(right);
+        } else {
+          throw std::logic_error("swap of fields of different types");
+        }
+      });
+    });
+  }
+
+  void upload(Field field, std::span<const double> values) override {
+    visit_field(state_, field, [&]<class T>(std::vector<T>& to) {
+      if constexpr (is_uint<T>) throw std::logic_error("reals for a field of integers");
+      else copy_converted(values, scalars<Real>(to), field);
+    });
+  }
+
+  void upload(Field field, std::span<const uint32_t> values) override {
+    visit_field(state_, field, [&]<class T>(std::vector<T>& to) {
+      if constexpr (!is_uint<T>) throw std::logic_error("integers for a field of reals");
+      else copy_converted(values, scalars<uint32_t>(to), field);
+    });
+  }
+
+  void download(Field field, std::span<double> values) const override {
+    visit_field(state_, field, [&]<class T>(const std::vector<T>& from) {
+      if constexpr (is_uint<T>) throw std::logic_error("reals from a field of integers");
+      else copy_converted(scalars<Real>(from), values, field);
+    });
+  }
+
+  void download(Field field, std::span<uint32_t> values) const override {
+    visit_field(state_, field, [&]<class T>(const std::vector<T>& from) {
+      if constexpr (!is_uint<T>) throw std::logic_error("integers from a field of reals");
+      else copy_converted(scalars<uint32_t>(from), values, field);
+    });
+  }
+
+  double seconds(Stage stage) const override { return seconds_[static_cast<uint32_t>(stage)]; }
+  void reset_seconds() override { seconds_.fill(0); }
+
+  std::string name() const override { return "cpu"; }
+  std::string device() const override { return processor_name(); }
+  Precision precision() const override {
+    return std::is_same_v<Real, double> ? Precision::double_ : Precision::single_;
+  }
+  int threads() const override { return state_.threads; }
+
+ private:
+  State<Real> state_;
+  std::array<double, stage_count> seconds_{};
+};
+
+}  // namespace
+
+std::unique_ptr<Backend> make_backend(Precision precision, int threads) {
+  if (precision == Precision::double_) return std::make_unique<CpuBackend<double>>(threads);
+  return std::make_unique<CpuBackend<float>>(threads);
+}
+
+int hardware_threads() { return omp_get_num_procs(); }
+
+std::string processor_name() {
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);) {
+    const size_t colon = line.find(": ");
+    if (line.starts_with("model name") && colon != std::string::npos) return line.substr(colon + 2);
+  }
+  return "CPU";
+}
+
+}  // namespace sluice::cpu

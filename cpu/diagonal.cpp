@@ -1,0 +1,33 @@
+// IISPH: diagonal of the pressure system, sums over fluid and boundary neighbours alike [Hunkler 2022, eq. 5.13]:
+//   A_ii = -dt^2/rho_i^2 ( |m sum dW|^2 + sum |m dW|^2 )
+// Differs from [Hunkler 2022, eq. 5.13]: printed there with separate inner sums for fluid and boundary; one sum over
+// all neighbours, as in algorithm 6, is what gives the published iteration counts.
+#include "cpu/stages.hpp"
+
+namespace sluice::cpu {
+
+template <class Real>
+void diagonal(State<Real>& state) {
+  const ParamsOf<Real>& params = state.params;
+  const bool walls = state.needs.boundary;
+  for_each_index(params.n, state.threads, [&](uint32_t i) {
+    glm::vec<2, Real> sum{};
+    Real squares{};
+    for_each_neighbour(state, i, [&](uint32_t, glm::vec<2, Real> dW) {
+      sum += dW;
+      squares += glm::dot(dW, dW);
+    });
+    sum = params.m * sum;
+    squares = params.m * params.m * squares;
+    if (walls) {
+      sum += state.wall_gradient[i];
+      squares += state.wall_gradient_squares[i];
+    }
+    const Real scale = params.dt / state.rho[i];
+    state.A_ii[i] = -(scale * scale) * (glm::dot(sum, sum) + squares);
+  });
+}
+
+}  // namespace sluice::cpu
+
+SLUICE_INSTANTIATE_STAGE(diagonal)

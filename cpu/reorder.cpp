@@ -1,0 +1,19 @@
+// Gathers the state in cell order, so that neighbours in space are neighbours in memory.
+#include "cpu/stages.hpp"
+
+namespace sluice::cpu {
+
+template <class Real>
+void reorder(State<Real>& state) {
+  for_each_index(state.params.n, state.threads, [&](uint32_t i) {
+    const uint32_t from = state.L[i];
+    state.id[i] = state.id_in[from];
+    state.x[i] = state.x_in[from];
+    state.v[i] = state.v_in[from];
+    state.p[i] = state.p_in[from];
+  });
+}
+
+}  // namespace sluice::cpu
+
+SLUICE_INSTANTIATE_STAGE(reorder)

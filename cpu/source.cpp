@@ -1,0 +1,29 @@
+// IISPH: source of the pressure system and the pressure to start from [Hunkler 2022, eq. 5.17; Ihmsen et al. 2014]:
+//   s_i = w (rho0 - rho_i) - dt ( m sum_j (v*_i - v*_j).dW_ij + v*_i.B_i ),   p := warm_start p,   q = p/rho^2
+// with source weight w, 1 in the thesis.
+#include "cpu/stages.hpp"
+
+namespace sluice::cpu {
+
+template <class Real>
+void source(State<Real>& state) {
+  const ParamsOf<Real>& params = state.params;
+  const bool walls = state.needs.boundary;
+  for_each_index(params.n, state.threads, [&](uint32_t i) {
+    const glm::vec<2, Real> v_i = state.v_star[i];
+    Real sum{};
+    for_each_neighbour(state, i, [&](uint32_t j, glm::vec<2, Real> dW) {
+      sum += glm::dot(v_i - state.v_star[j], dW);
+    });
+    sum = params.m * sum;
+    if (walls) sum += glm::dot(v_i, state.wall_gradient[i]);
+    const Real rho = state.rho[i];
+    state.s[i] = params.source_weight * (params.rho0 - rho) - params.dt * sum;
+    state.p[i] = params.warm_start * state.p[i];
+    state.q[i] = state.p[i] / (rho * rho);
+  });
+}
+
+}  // namespace sluice::cpu
+
+SLUICE_INSTANTIATE_STAGE(source)

@@ -1,0 +1,78 @@
+// What the CPU stages work on: constants, fields, and the two ways of walking over them.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/fields.hpp"
+#include "core/params.hpp"
+#include "core/stages.hpp"
+
+namespace sluice::cpu {
+
+template <class Real, Type type>
+struct ElementOf;
+template <class Real>
+struct ElementOf<Real, Type::real> {
+  using element = Real;
+};
+template <class Real>
+struct ElementOf<Real, Type::vec2> {
+  using element = glm::vec<2, Real>;
+};
+template <class Real>
+struct ElementOf<Real, Type::vec4> {
+  using element = glm::vec<4, Real>;
+};
+template <class Real>
+struct ElementOf<Real, Type::uint> {
+  using element = uint32_t;
+};
+template <class Real>
+struct ElementOf<Real, Type::uvec2> {
+  using element = glm::uvec2;
+};
+
+template <class Real>
+struct State {
+  using Vec = glm::vec<2, Real>;
+
+  ParamsOf<Real> params;
+  Needs needs;
+  Sizes sizes;
+  int threads = 1;
+
+#define FIELD(name, type, length, unit, meaning) std::vector<typename ElementOf<Real, Type::type>::element> name;
+  SLUICE_FIELDS(FIELD)
+#undef FIELD
+};
+
+/// Calls f(i) for all i < n. Who runs which i does not matter: f writes only what belongs to i.
+template <class F>
+void for_each_index(uint64_t n, int threads, F&& f) {
+  // A thread pays for itself only with some work to do.
+  const int useful = static_cast<int>(std::min<uint64_t>(static_cast<uint64_t>(threads), n / 256 + 1));
+#pragma omp parallel for num_threads(useful) schedule(static)
+  for (int64_t i = 0; i < static_cast<int64_t>(n); ++i) f(static_cast<uint32_t>(i));
+}
+
+/// Calls f(j, dW_ij) for the neighbours j of particle i, in the order of the list.
+template <class Real, class F>
+void for_each_neighbour(const State<Real>& state, uint32_t i, F&& f) {
+  const uint64_t first = state.list[i].x;
+  const uint64_t lane = first % slice_width;
+  for (uint32_t k = 0; k < state.list[i].y; ++k) {
+    const uint64_t entry = first + uint64_t{slice_width} * k;
+    const uint64_t block = 2 * entry - lane;
+    f(state.index[entry], glm::vec<2, Real>(state.gradient[block], state.gradient[block + slice_width]));
+  }
+}
+
+/// Calls f(first, last) for the three ranges of places in L, one per row of cells, that hold all particles in reach
+/// of a position in `cell`; `C` gives the first place of each cell.
+template <class F>
+void for_each_row(const std::vector<uint32_t>& C, uint32_t columns, uint32_t cell, F&& f) {
+  for (const uint32_t middle : {cell - columns, cell, cell + columns}) f(C[middle - 1], C[middle + 2]);
+}
+
+}  // namespace sluice::cpu

@@ -1,0 +1,60 @@
+// OpenGL 4.3 without a display, through EGL. Nothing of OpenGL is loaded before a Context is made.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace sluice::gpu {
+
+/// What an EGL device offers: its renderer, or why it can't be used.
+struct DeviceInfo {
+  int index = 0;
+  bool software = false;  ///< a processor that plays a graphics card
+  std::string renderer;   ///< GL_RENDERER and the version; empty when unusable
+  std::string problem;    ///< empty when usable
+};
+
+/// All EGL devices in their own order; the index is what Context takes. No context is current afterwards.
+/// EnvironmentError when EGL itself is missing.
+std::vector<DeviceInfo> list_devices();
+
+/// One line per device, for messages and for the user.
+std::string describe(const std::vector<DeviceInfo>& devices);
+
+/// EnvironmentError naming the Debian package when the shared library can't be loaded.
+void require_library(const char* library, const char* package);
+
+/// An OpenGL core context of version 4.3 or later, current after construction. Objects made from it keep a
+/// reference: it outlives them and stays where it is.
+class Context {
+ public:
+  /// Tries hardware devices, software devices, the surfaceless platform and the default display, in this
+  /// order, or only the EGL device given. InputError when there is no such device; EnvironmentError, with
+  /// what was tried and what to install, when there is no OpenGL.
+  explicit Context(std::optional<int> device = std::nullopt);
+  ~Context();
+  Context(Context&&) noexcept;
+  Context& operator=(Context&&) noexcept;
+
+  /// Binds the context to the calling thread.
+  void make_current() const;
+
+  /// Throws what OpenGL has complained about since the last check: EnvironmentError when it ran out of
+  /// memory, else Error. `during` says what was being done.
+  void check(std::string_view during) const;
+
+  const std::string& renderer() const;
+  const std::string& vendor() const;
+  const std::string& version() const;
+  bool software() const;  ///< drawn by the processor
+
+ private:
+  friend std::vector<DeviceInfo> list_devices();
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace sluice::gpu

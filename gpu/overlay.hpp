@@ -1,0 +1,51 @@
+// Text and plain rectangles over a picture.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "gpu/gl_object.hpp"
+#include "gpu/particle_pass.hpp"
+#include "gpu/program.hpp"
+
+namespace sluice::gpu {
+
+/// Collects text and rectangles, then draws them all. The font is DejaVu Sans, its size fits the picture;
+/// characters outside Latin-1 and a few mathematical ones appear as '?'.
+class Overlay {
+ public:
+  Overlay(const Context& context, glm::uvec2 picture);
+  ~Overlay();
+
+  float font_size() const { return font_size_; }      ///< height of an em in pixels
+  float line_height() const { return line_height_; }  ///< from baseline to baseline
+  float ascent() const { return ascent_; }            ///< from the top of a line to its baseline
+  float width(std::string_view text) const;
+
+  void add_box(const Box& box, glm::vec4 colour);
+  void add_text(float left, float top, std::string_view text, glm::vec4 colour);
+
+  /// Draws what was added, in that order, and forgets it.
+  void draw();
+
+ private:
+  struct Font;
+  struct Quad {
+    Box box;
+    Box cut;
+    glm::vec4 colour;
+  };
+
+  glm::uvec2 picture_;
+  float font_size_, line_height_ = 0, ascent_ = 0;
+  std::unique_ptr<Font> font_;
+  Program program_;
+  VertexArray vertices_;
+  Buffer buffer_;
+  Texture texture_;
+  std::vector<Quad> quads_;
+};
+
+}  // namespace sluice::gpu

@@ -1,0 +1,72 @@
+// Draws particles as anti-aliased circles, and the gradient of the colour bar with the same colours.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <span>
+#include <vector>
+
+#include "core/frame.hpp"
+#include "gpu/gl_object.hpp"
+#include "gpu/program.hpp"
+
+namespace sluice::gpu {
+
+/// A rectangle in pixels, y down from the picture's top.
+struct Box {
+  float left = 0, top = 0, right = 0, bottom = 0;
+};
+
+/// How simulated positions become pixels: pixel = origin + scale * (position - corner), with scale.y
+/// negative.
+struct View {
+  View(glm::uvec2 size, Vec2 view_min, Vec2 view_max);
+
+  glm::uvec2 size;
+  Vec2 corner;
+  Vec2 origin;
+  double scale;
+  Box box;  ///< where the view lies in the picture, rounded to whole pixels
+};
+
+/// `automatic` takes point sprites, which are cheaper, while the driver's are large enough.
+enum class ParticleShape { automatic, quads };
+
+class ParticlePass {
+ public:
+  ParticlePass(const Context& context, const View& view, double diameter, ParticleShape shape);
+
+  void set_boundary(std::span<const Vec2> positions);
+  void draw_boundary();
+  void draw_fluid(const Frame& frame);
+
+  /// Fills the box with the frame's colours, from its lowest value at the left to its highest at the right.
+  void draw_colour_bar(const Box& box, const Frame& frame);
+
+ private:
+  // Positions and values of a set of particles on the graphics card.
+  struct Cloud {
+    explicit Cloud(const Context& context) : vertices(context), positions(context), values(context) {}
+    VertexArray vertices;
+    Buffer positions;
+    Buffer values;
+    size_t count = 0;
+  };
+
+  void describe(const Cloud& cloud, bool quads, bool with_values) const;
+  void convert(std::span<const Vec2> positions);
+  void upload(Cloud& cloud);
+  void draw(const Cloud& cloud);
+  void set_colouring(const Frame& frame);
+
+  const Context& context_;
+  View view_;
+  Program program_;
+  Cloud boundary_, fluid_, bar_;
+  bool quads_ = false;
+  float radius_ = 0, opacity_ = 1, half_extent_ = 0;
+  glm::vec4 viewport_{};
+  std::vector<glm::vec2> positions_;  // kept between frames, like the buffers
+  std::vector<float> values_;
+};
+
+}  // namespace sluice::gpu

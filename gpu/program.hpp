@@ -1,0 +1,45 @@
+// A vertex and a fragment shader linked into a program, with its uniforms and attributes by name.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "gpu/gl_object.hpp"
+
+namespace sluice::gpu {
+
+/// A shader's text and the file name that messages use.
+struct ShaderSource {
+  std::string name;
+  std::string text;
+};
+
+/// A shader that travels inside the binary; Error when there is none of this name.
+ShaderSource embedded_shader(std::string_view name);
+
+/// Compiled and linked. Error with the file name and the driver's log when a shader is wrong, and when a name
+/// is asked for that the program does not have.
+class Program {
+ public:
+  Program(const Context& context, const ShaderSource& vertex, const ShaderSource& fragment);
+
+  void use() const;
+  uint32_t attribute(const std::string& name) const;
+
+  void set(const std::string& uniform, bool value);
+  void set(const std::string& uniform, int value);
+  void set(const std::string& uniform, float value);
+  void set(const std::string& uniform, glm::vec2 value);
+  void set(const std::string& uniform, glm::vec4 value);
+
+ private:
+  int location(const std::string& uniform);
+
+  std::string title_;
+  ProgramObject program_;
+  std::map<std::string, int> locations_;
+};
+
+}  // namespace sluice::gpu
