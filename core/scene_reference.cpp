@@ -32,6 +32,8 @@ start from.
   `--set 'fluid.rect.0.max=[200, "300+3h"]'`. Setting `time.dt` removes `time.cfl`, `time.dt_min`, `time.dt_max` and
   every method's own `dt`; setting `time.cfl` removes `time.dt` and every method's own `dt`. When both are set, the
   later one wins.
+
+The works in brackets are listed in `docs/model.md`.
 )";
 
 std::string range_text(const KeyRange& range) {
@@ -85,7 +87,8 @@ std::string allowed_text(const SceneKey& key) {
     text += fmt::format("{}`\"{}\"`{}", text.empty() ? "" : ", ", c.name,
                         c.available ? "" : " (not available yet)");
   if (key.choices.empty()) text = range_text(key.range);
-  if (text.starts_with(' ')) text.erase(0, 1);
+  for (std::string_view lead : {" ", "of "})  // " of at least 1" follows a noun elsewhere
+    if (text.starts_with(lead)) text.erase(0, lead.size());
   return text;
 }
 

@@ -13,7 +13,7 @@ namespace sluice {
 namespace {
 
 // A scene needs three. The parser itself recurses without bound over a.a.a.a..., and so does the destructor.
-constexpr int max_dots_in_key = 16;
+constexpr int max_parts_of_key = 16;
 
 using Locate = std::function<std::string(const toml::source_position&)>;
 
@@ -80,9 +80,9 @@ void refuse_deep_keys(std::string_view text, const Locate& locate) {
       length = quote.size();
     } else if (c == '#') {
       comment = true;
-    } else if (c == '.' && ++dots > max_dots_in_key) {
+    } else if (c == '.' && ++dots >= max_parts_of_key) {
       throw InputError(fmt::format("{}: found a key of more than {} parts, expected at most {}", locate(at),
-                                   max_dots_in_key, max_dots_in_key));
+                                   max_parts_of_key, max_parts_of_key));
     } else if (std::string_view("\n=,{}[]").find(c) != std::string_view::npos) {
       dots = 0;
     }

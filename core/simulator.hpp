@@ -49,6 +49,7 @@ class Simulator {
 
   uint64_t steps() const { return steps_; }
   double time() const { return static_cast<double>(steps_) * scene_.dt; }
+  double dt() const { return scene_.dt; }
   const std::optional<Failure>& failure() const { return failure_; }
   const Plan& plan() const { return plan_; }
 

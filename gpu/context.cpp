@@ -15,7 +15,7 @@ namespace sluice::gpu {
 namespace {
 
 constexpr const char* install_hint =
-    "install a graphics driver, or libegl1, libopengl0 and libgl1-mesa-dri to draw on the processor";
+    "install a newer graphics driver, or libegl1, libopengl0 and libgl1-mesa-dri to draw on the processor";
 
 std::string gl_string(GLenum name) {
   const GLubyte* text = glGetString(name);

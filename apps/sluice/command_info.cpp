@@ -1,0 +1,69 @@
+// `sluice info`: what this machine offers; with a scene, its counts, memory and plan.
+#include <fmt/format.h>
+
+#include "apps/sluice/commands.hpp"
+#include "core/error.hpp"
+#include "core/memory.hpp"
+#include "core/plan.hpp"
+#include "core/sampling.hpp"
+#include "core/scene_file.hpp"
+#include "core/summary.hpp"
+#include "core/text.hpp"
+#include "cpu/backend.hpp"
+#include "gpu/context.hpp"
+
+namespace sluice {
+namespace {
+
+void print_machine() {
+  fmt::print("sluice {}\nprocessor: {}, {} threads, {} of memory free\n", version(), cpu::processor_name(),
+             cpu::hardware_threads(), bytes_text(available_memory()));
+  fmt::print("OpenGL devices (for pictures):\n");
+  try {
+    fmt::print("{}\n", gpu::describe(gpu::list_devices()));
+  } catch (const EnvironmentError& error) {
+    fmt::print("  none: {}\n", error.what());
+  }
+}
+
+void print_stages(std::string_view title, const std::vector<Stage>& stages) {
+  if (stages.empty()) return;
+  fmt::print("  {}\n", title);
+  for (const Stage stage : stages) fmt::print("    {:<24}{}\n", info(stage).name, info(stage).equation);
+}
+
+void print_scene(const std::string& name) {
+  const Scene scene = load_scene(name);
+  require_memory(scene, Precision::double_, available_memory());
+  const Samples samples = sample(scene);
+  fmt::print("{} ({})\n", scene.title, scene.file);
+  if (!scene.source.empty()) fmt::print("source: {}\n", scene.source);
+  fmt::print("particles: {} fluid + {} boundary = {}", samples.fluid.size(), samples.boundary.size(),
+             samples.fluid.size() + samples.boundary.size());
+  if (samples.boundary_dropped > 0) fmt::print(" ({} boundary samples dropped as doubles)", samples.boundary_dropped);
+  fmt::print("\nspacing h {:g}, smoothing length H {:g}, particle mass m {:g}\n", scene.spacing,
+             scene.smoothing_length(), scene.mass());
+  fmt::print("method: {}, dt {:g}, duration {:g}: {:.0f} steps\n", title_of(scene.method), scene.dt, scene.duration,
+             std::round(scene.duration / scene.dt));
+  for (const Precision precision : {Precision::single_, Precision::double_}) {
+    const MemoryNeed need = memory_need(scene, precision);
+    fmt::print("memory in {}: {:.0f} bytes per fluid particle, about {} in all\n", name_of(precision),
+               need.per_particle, bytes_text(need.bytes));
+  }
+  const Plan plan = make_plan(needs_of(scene));
+  fmt::print("one step:\n");
+  print_stages("search and density", plan.search);
+  print_stages("forces", plan.forces);
+  print_stages("sweep, repeated until the pressure has converged", plan.sweep);
+  print_stages("finish", plan.finish);
+}
+
+}  // namespace
+
+int info_command(const std::optional<std::string>& scene) {
+  if (scene) print_scene(*scene);
+  else print_machine();
+  return 0;
+}
+
+}  // namespace sluice

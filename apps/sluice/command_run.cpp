@@ -1,0 +1,144 @@
+// `sluice run`: simulates a scene and writes what was asked for.
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+
+#include "apps/sluice/commands.hpp"
+#include "apps/sluice/frames.hpp"
+#include "apps/sluice/progress.hpp"
+#include "core/error.hpp"
+#include "core/memory.hpp"
+#include "core/scene_file.hpp"
+#include "core/series.hpp"
+#include "core/simulator.hpp"
+#include "core/state_file.hpp"
+#include "core/summary.hpp"
+#include "cpu/backend.hpp"
+
+namespace sluice {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+volatile std::sig_atomic_t stop_requested = 0;
+extern "C" void request_stop(int) { stop_requested = 1; }
+
+std::unique_ptr<Backend> choose_backend(const RunOptions& options) {
+  if (options.backend == BackendChoice::gpu) {
+    if (options.precision == Precision::double_) {
+      throw InputError("--precision double: found it with --backend gpu, expected --backend cpu; the GPU computes in "
+                       "float");
+    }
+    throw InputError("--backend gpu: not available yet; use --backend cpu");
+  }
+  if (options.backend == BackendChoice::automatic && !options.quiet) {
+    fmt::print(stderr, "backend: cpu, {} threads (the GPU backend is not available yet)\n", options.threads);
+  }
+  return cpu::make_backend(options.precision, options.threads);
+}
+
+uint64_t step_count(const RunOptions& options, const Scene& scene) {
+  if (options.steps) return *options.steps;
+  const double duration = options.time.value_or(scene.duration);
+  if (!(duration >= 0) || !std::isfinite(duration)) {
+    throw InputError(fmt::format("--time: found {:g}, expected a number from 0 on", duration));
+  }
+  const double steps = std::round(duration / scene.dt);
+  if (steps > 1e15) {
+    throw InputError(fmt::format("{}: time: found a run of {:.3g} steps, expected at most 1e15; use a shorter time or "
+                                 "a larger time step",
+                                 scene.file, steps));
+  }
+  return static_cast<uint64_t>(steps);
+}
+
+/// The files of a run. All are opened before the first step, so that a folder that is not there is known at once.
+class Outputs {
+ public:
+  Outputs(const RunOptions& options, const Scene& scene, const Samples& samples, Precision precision)
+      : precision_(precision) {
+    if (options.state) state_.emplace(*options.state);
+    if (options.summary) summary_.emplace(*options.summary);
+    if (options.series) series_.emplace(*options.series, precision);
+    if (options.frames) frames_.emplace(scene, samples, *options.frames, options.overlay, options.gl_device);
+  }
+
+  void add(const Simulator& simulator, const StepReport& report, double seconds_per_step) {
+    if (series_ && report.step > 0) series_->add(report);
+    if (frames_) frames_->show(simulator, report, seconds_per_step);
+  }
+
+  void finish(const RunSummary& summary) {
+    if (series_) series_->commit();
+    if (state_) write_state(*state_, summary.simulator.snapshot(), summary.simulator.steps(), precision_);
+    if (summary_) {
+      summary_->write(to_json(summary).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n');
+      summary_->commit();
+    }
+    if (frames_) frames_->finish();
+  }
+
+ private:
+  Precision precision_;
+  std::optional<OutputFile> state_, summary_;
+  std::optional<SeriesFile> series_;
+  std::optional<FrameOutput> frames_;
+};
+
+void simulate(Simulator& simulator, uint64_t steps, Outputs& outputs, Progress& progress, RunStatistics& statistics,
+              double& seconds) {
+  StepReport start;
+  start.dt = simulator.dt();
+  outputs.add(simulator, start, 0);
+  while (simulator.steps() < steps && !simulator.failure() && stop_requested == 0) {
+    const Clock::time_point before = Clock::now();
+    const StepReport report = simulator.step();
+    const double step_seconds = std::chrono::duration<double>(Clock::now() - before).count();
+    seconds += step_seconds;
+    statistics.add(report);
+    outputs.add(simulator, report, step_seconds);
+    progress.show(report);
+  }
+}
+
+int report_end(const RunSummary& summary, uint64_t steps, bool quiet) {
+  if (!quiet) fmt::print("{}", to_text(summary));
+  if (const auto& failure = summary.simulator.failure()) {
+    fmt::print(stderr, "sluice: invalid run: {} at step {}, time {:g}, particle {} near ({:g}, {:g})\n", failure->reason,
+               failure->step, failure->time, failure->id, failure->x.x, failure->x.y);
+    return 1;
+  }
+  if (stop_requested != 0) {
+    fmt::print(stderr, "sluice: interrupted after step {} of {}; what was asked for is written up to there\n",
+               summary.simulator.steps(), steps);
+  }
+  return 0;
+}
+
+}  // namespace
+
+int run_command(const RunOptions& options) {
+  const Scene scene = load_scene(options.scene, options.overrides);
+  const uint64_t steps = step_count(options, scene);
+  const std::unique_ptr<Backend> backend = choose_backend(options);
+  require_memory(scene, options.precision, available_memory());
+  const Samples samples = sample(scene);
+
+  std::signal(SIGINT, request_stop);
+  std::signal(SIGTERM, request_stop);
+  Outputs outputs(options, scene, samples, options.precision);
+  Simulator simulator(scene, samples, *backend);
+  RunStatistics statistics;
+  RunSummary summary{scene, samples, *backend, simulator, statistics};
+  {
+    Progress progress(steps, static_cast<double>(steps) * scene.dt, options.quiet);
+    simulate(simulator, steps, outputs, progress, statistics, summary.seconds);
+  }
+  outputs.finish(summary);
+  return report_end(summary, steps, options.quiet);
+}
+
+}  // namespace sluice

@@ -1,0 +1,15 @@
+// The subcommands. Each returns the exit code of the program and throws Error for what a user can mend.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "apps/sluice/options.hpp"
+
+namespace sluice {
+
+int run_command(const RunOptions& options);
+int scenes_command(bool keys);
+int info_command(const std::optional<std::string>& scene);
+
+}  // namespace sluice

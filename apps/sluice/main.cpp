@@ -1,0 +1,76 @@
+// `sluice`: parses the command line and turns errors into messages and exit codes: 0 done, 1 invalid run, 2 bad input
+// or usage, 3 the environment failed.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <cstdio>
+#include <new>
+
+#include "apps/sluice/commands.hpp"
+#include "core/error.hpp"
+#include "core/summary.hpp"
+
+namespace {
+
+constexpr int bad_input = 2, environment_failed = 3;
+
+int fail(int code, const std::string& message) {
+  fmt::print(stderr, "sluice: {}\n", message);
+  return code;
+}
+
+int dispatch(int argc, char** argv) {
+  CLI::App app{"SPH fluids in two dimensions: pressure from a state equation against pressure from a linear system."};
+  app.require_subcommand(1);
+  app.set_version_flag("--version", "sluice " + sluice::version());
+  app.footer("Start with: sluice run breaking_dam --frames frames");
+
+  sluice::RunOptions options;
+  auto* run = app.add_subcommand("run", "Simulate a scene");
+  sluice::declare_run_options(*run, options);
+
+  bool keys = false;
+  auto* scenes = app.add_subcommand("scenes", "List the shipped scenes");
+  scenes->add_flag("--keys", keys, "Print the reference of all keys of a scene file, as Markdown");
+
+  std::optional<std::string> scene;
+  auto* information = app.add_subcommand("info", "Show what this machine offers, or how a scene is run");
+  information->add_option("SCENE", scene, "A scene file, or the name of a shipped scene");
+
+  for (const char* name : {"agree", "play", "export", "study"}) {
+    auto* later = app.add_subcommand(name, "Not available yet")->group("Not available yet")->prefix_command();
+    later->callback([name] { throw sluice::InputError(fmt::format("{}: not available yet", name)); });
+  }
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);
+    return fail(bad_input, fmt::format("{}\nsluice: run `sluice --help` or `sluice run --help`", error.what()));
+  }
+  if (run->parsed()) return sluice::run_command(options);
+  if (scenes->parsed()) return sluice::scenes_command(keys);
+  return sluice::info_command(scene);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  // A reader that goes away is a failed write, not a death.
+  std::signal(SIGPIPE, SIG_IGN);
+  int code = 0;
+  try {
+    code = dispatch(argc, argv);
+  } catch (const sluice::InputError& error) {
+    return fail(bad_input, error.what());
+  } catch (const std::bad_alloc&) {
+    return fail(environment_failed, "out of memory; close other programs or use fewer particles");
+  } catch (const std::exception& error) {
+    return fail(environment_failed, error.what());
+  }
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+    return fail(environment_failed, "standard output could not be written");
+  }
+  return code;
+}

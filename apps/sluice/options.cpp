@@ -1,0 +1,138 @@
+// Options of `sluice run`. Those of later versions are known by name and refused.
+#include "apps/sluice/options.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <cmath>
+#include <utility>
+
+#include "core/error.hpp"
+#include "cpu/backend.hpp"
+
+namespace sluice {
+namespace {
+
+/// An option that takes one of a few names.
+template <class T>
+CLI::Option* add_choice(CLI::App& app, const std::string& name, T& value,
+                        std::vector<std::pair<std::string, T>> choices, const std::string& help) {
+  const auto read = [name, &value, choices = std::move(choices)](const std::string& text) {
+    std::string known;
+    for (const auto& [choice, meaning] : choices) {
+      if (text == choice) {
+        value = meaning;
+        return;
+      }
+      known += (known.empty() ? "" : ", ") + choice;
+    }
+    throw InputError(fmt::format("{}: found \"{}\", expected one of {}", name, text, known));
+  };
+  return app.add_option_function<std::string>(name, read, help)->type_name("WHICH");
+}
+
+/// Reads "640x480".
+void add_size(const std::string& text, RunOptions& options) {
+  uint32_t width = 0, height = 0;
+  const char* end = text.data() + text.size();
+  const auto first = std::from_chars(text.data(), end, width);
+  const bool crossed = first.ec == std::errc() && first.ptr != end && *first.ptr == 'x';
+  const auto second = crossed ? std::from_chars(first.ptr + 1, end, height) : first;
+  if (!crossed || second.ec != std::errc() || second.ptr != end || width < 16 || height < 16 || width > 16384 ||
+      height > 16384) {
+    throw InputError(fmt::format("--size: found \"{}\", expected WIDTHxHEIGHT in pixels, each 16 to 16384, as in "
+                                 "--size 800x600",
+                                 text));
+  }
+  options.overrides.push_back(fmt::format("output.size=[{},{}]", width, height));
+}
+
+void add_later_options(CLI::App& app) {
+  for (const char* name : {"--checkpoint", "--checkpoint-every", "--resume", "--record", "--video", "--vtk",
+                           "--shader-dir"}) {
+    app.add_option_function<std::string>(
+           name,
+           [name](const std::string&) { throw InputError(fmt::format("{}: this option is not available yet", name)); },
+           "Not available yet")
+        ->group("Not available yet");
+  }
+}
+
+void add_output_options(CLI::App& app, RunOptions& options) {
+  app.add_option("--state", options.state, "Write the last state: id,x,y,vx,vy,density,pressure")
+      ->type_name("FILE.csv")->group("Output");
+  app.add_option("--series", options.series, "Write one row per step: iterations, density, energies, ...")
+      ->type_name("FILE.csv")->group("Output");
+  app.add_option("--summary", options.summary, "Write counts, means, timings and settings")
+      ->type_name("FILE.json")->group("Output");
+  app.add_flag("--quiet", options.quiet, "No progress, no table at the end")->group("Output");
+}
+
+void add_picture_options(CLI::App& app, RunOptions& options) {
+  app.add_option("--frames", options.frames, "Write pictures frame_000000.png, ... into this folder")
+      ->type_name("DIR")->group("Pictures");
+  app.add_option_function<double>(
+         "--fps",
+         [&](double fps) {
+           if (!(fps > 0) || !std::isfinite(fps)) {
+             throw InputError(fmt::format("--fps: found {:g}, expected a number greater than 0", fps));
+           }
+           options.overrides.push_back(fmt::format("output.fps={:.17g}", fps));
+         },
+         "Pictures per simulated second; overrides output.fps")
+      ->type_name("F")->group("Pictures");
+  app.add_option_function<std::string>(
+         "--size", [&](const std::string& text) { add_size(text, options); },
+         "Picture size in pixels; overrides output.size")
+      ->type_name("WxH")->group("Pictures");
+  app.add_option_function<std::string>(
+         "--colour", [&](const std::string& name) { options.overrides.push_back("output.colour=" + name); },
+         "Colour particles by speed, density or pressure; overrides output.colour")
+      ->type_name("WHICH")->group("Pictures");
+  add_choice<OverlayChoice>(
+      app, "--overlay", options.overlay,
+      {{"none", OverlayChoice::none}, {"facts", OverlayChoice::facts}, {"all", OverlayChoice::all}},
+      "Text on the pictures: none, facts (default), all (with ms per step)")
+      ->group("Pictures");
+  app.add_option("--gl-device", options.gl_device, "Draw on EGL device N; `sluice info` lists them")
+      ->check(CLI::NonNegativeNumber)->type_name("N")->group("Pictures");
+}
+
+}  // namespace
+
+void declare_run_options(CLI::App& app, RunOptions& options) {
+  options.threads = cpu::hardware_threads();
+  app.add_option("SCENE", options.scene, "A scene file, or the name of a shipped scene (`sluice scenes`)")->required();
+  app.add_option("--set", options.overrides, "Change a key of the scene, as in --set pressure.method=ssph; repeatable")
+      ->type_name("KEY=VALUE")->allow_extra_args(false)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  add_choice<BackendChoice>(
+      app, "--backend", options.backend,
+      {{"auto", BackendChoice::automatic}, {"cpu", BackendChoice::cpu}, {"gpu", BackendChoice::gpu}},
+      "auto (default), cpu or gpu");
+  add_choice<Precision>(app, "--precision", options.precision,
+                        {{"float", Precision::single_}, {"double", Precision::double_}},
+                        "float (default) or double; double runs on the CPU");
+  auto* steps = app.add_option_function<std::string>(
+                       "--steps",
+                       [&](const std::string& text) {
+                         uint64_t count = 0;
+                         const auto result = std::from_chars(text.data(), text.data() + text.size(), count);
+                         if (result.ec != std::errc() || result.ptr != text.data() + text.size()) {
+                           throw InputError(
+                               fmt::format("--steps: found \"{}\", expected a whole number from 0 on", text));
+                         }
+                         options.steps = count;
+                       },
+                       "Steps to run in place of time.duration")
+                    ->type_name("N");
+  app.add_option("--time", options.time, "Time to simulate in place of time.duration")
+      ->type_name("T")->excludes(steps);
+  app.add_option("--threads", options.threads, "Threads of the CPU backend; results do not depend on it")
+      ->check(CLI::Range(1, 1024))->type_name("N");
+  add_output_options(app, options);
+  add_picture_options(app, options);
+  add_later_options(app);
+}
+
+}  // namespace sluice

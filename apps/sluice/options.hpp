@@ -1,0 +1,38 @@
+// The command line: `sluice run` and its options as a value.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/backend.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace sluice {
+
+enum class BackendChoice { automatic, cpu, gpu };
+enum class OverlayChoice { none, facts, all };
+
+struct RunOptions {
+  std::string scene;
+  std::vector<std::string> overrides;  ///< KEY=VALUE, those of --fps, --size and --colour included
+  BackendChoice backend = BackendChoice::automatic;
+  Precision precision = Precision::single_;
+  std::optional<uint64_t> steps;
+  std::optional<double> time;
+  int threads = 1;
+  std::optional<std::filesystem::path> state, series, frames, summary;
+  OverlayChoice overlay = OverlayChoice::facts;
+  std::optional<int> gl_device;
+  bool quiet = false;
+};
+
+/// Declares the options of `sluice run` on `app`; `options` is filled when the command line is parsed.
+void declare_run_options(CLI::App& app, RunOptions& options);
+
+}  // namespace sluice

@@ -1,0 +1,48 @@
+// Formatting shared by files, pictures and the terminal.
+#include "core/text.hpp"
+
+#include <fmt/format.h>
+
+namespace sluice {
+
+std::string round_trip(double value, Precision precision) {
+  return precision == Precision::double_ ? fmt::format("{:.17g}", value) : fmt::format("{:.9g}", value);
+}
+
+std::string_view name_of(Precision precision) { return precision == Precision::double_ ? "double" : "float"; }
+
+std::string_view name_of(PressureMethod method) {
+  switch (method) {
+    case PressureMethod::ssph: return "ssph";
+    case PressureMethod::wcsph: return "wcsph";
+    case PressureMethod::iisph: return "iisph";
+  }
+  return "";
+}
+
+std::string_view title_of(PressureMethod method) {
+  switch (method) {
+    case PressureMethod::ssph: return "SSPH";
+    case PressureMethod::wcsph: return "WCSPH";
+    case PressureMethod::iisph: return "IISPH";
+  }
+  return "";
+}
+
+std::string bytes_text(double bytes) {
+  for (const char* unit : {"B", "kB", "MB", "GB", "TB"}) {
+    if (bytes < 1000) return fmt::format("{:.3g} {}", bytes, unit);
+    bytes /= 1000;
+  }
+  return fmt::format("{:.3g} PB", bytes);
+}
+
+std::string duration_text(double seconds) {
+  if (seconds < 1) return "under 1 s";
+  if (seconds < 120) return fmt::format("{:.0f} s", seconds);
+  const auto whole = static_cast<uint64_t>(seconds);
+  if (seconds < 7200) return fmt::format("{} min {} s", whole / 60, whole % 60);
+  return fmt::format("{} h {} min", whole / 3600, whole / 60 % 60);
+}
+
+}  // namespace sluice
