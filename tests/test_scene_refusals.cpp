@@ -379,6 +379,16 @@ TEST(SceneRefusals, TextThatIsNotToml) {
             "t.toml:2:5: Error while parsing key-value pair: cannot redefine existing integer 'a'");
 }
 
+// Each of these fails an assertion of the parser, which must not end the program.
+TEST(SceneRefusals, TextThatTheParserAssertsNotToMeet) {
+  EXPECT_EQ(refusal_of("[+"),
+            "t.toml:1:2: Error while parsing key: expected bare key starting character or string delimiter, "
+            "saw '+'");
+  EXPECT_EQ(refusal_of("0x=[}]]+"), "t.toml:1:5: Error while parsing value: could not determine value type");
+  EXPECT_EQ(refusal_of("a=1979-05-27true{+T07:32:00"),
+            "t.toml:1:14: Error while parsing time: expected 2-digit hour, saw 'r'");
+}
+
 TEST(SceneRefusals, DeepNestingIsRefusedWithoutRecursingIntoIt) {
   constexpr size_t deep = 200'000;
   std::string dotted = "a", brackets, quoted = "\"a\"";

@@ -1,0 +1,44 @@
+// One step written straight from the equations of docs/model.md: all pairs, plain double, no grid, no list layout, no
+// sharing of code with the solver beyond the scene. What the backends compute is checked against this.
+#pragma once
+
+#include <vector>
+
+#include "core/sampling.hpp"
+#include "core/scene.hpp"
+
+namespace sluice::test {
+
+struct BruteForce {
+  std::vector<Vec2> x, v;          ///< state, advanced by step()
+  std::vector<double> p;           ///< pressure, the warm start of the next step
+  std::vector<double> rho, A_ii, s;
+  std::vector<Vec2> a_n, v_star, a_p;
+  uint32_t iterations = 0;
+  double residual = 0;
+
+  BruteForce(const Scene& scene, const Samples& samples);
+  void step();
+
+ private:
+  struct Neighbour {
+    uint32_t j;
+    Vec2 x_ij, dW;
+    double W;
+  };
+  double W(double r) const;
+  Vec2 dW(Vec2 x_ij) const;
+  void find_neighbours();
+  void compute_density();
+  void compute_non_pressure();
+  void compute_pressure_acceleration();
+  void solve();
+  void iterate(double& error);
+
+  const Scene& scene_;
+  const std::vector<Vec2>& boundary_;
+  double h_, H_, m_, rho0_, dt_;
+  std::vector<std::vector<Neighbour>> fluid_neighbours_, boundary_neighbours_;
+};
+
+}  // namespace sluice::test

@@ -1,0 +1,46 @@
+#include "tests/support/simulation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+namespace sluice::test {
+namespace {
+
+template <class T, class Size>
+double difference(const std::vector<T>& a, const std::vector<T>& b, Size size) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (a.size() != b.size() || a.empty() || a.data() == b.data()) return infinity;
+  double largest = 0, apart = 0;
+  for (size_t i = 0; i < a.size(); ++i) {
+    const double here = size(a[i] - b[i]);
+    if (!std::isfinite(here)) return infinity;
+    apart = std::max(apart, here);
+    largest = std::max(largest, size(b[i]));
+  }
+  // A reference that is zero everywhere compares nothing.
+  return largest > 0 ? apart / largest : infinity;
+}
+
+template <class T>
+bool equal_bytes(const std::vector<T>& a, const std::vector<T>& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0;
+}
+
+}  // namespace
+
+double relative_difference(const std::vector<double>& a, const std::vector<double>& b) {
+  return difference(a, b, [](double value) { return std::abs(value); });
+}
+
+double relative_difference(const std::vector<Vec2>& a, const std::vector<Vec2>& b) {
+  return difference(a, b, [](Vec2 value) { return glm::length(value); });
+}
+
+bool same_bits(const Snapshot& a, const Snapshot& b) {
+  return equal_bytes(a.x, b.x) && equal_bytes(a.v, b.v) && equal_bytes(a.density, b.density) &&
+         equal_bytes(a.pressure, b.pressure);
+}
+
+}  // namespace sluice::test
