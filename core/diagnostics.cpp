@@ -8,8 +8,8 @@
 namespace sluice {
 
 bool Diagnostics::finite() const {
-  return std::isfinite(kinetic_energy) && std::isfinite(centre_of_mass.x) && std::isfinite(centre_of_mass.y) &&
-         std::isfinite(mean_density);
+  return std::isfinite(kinetic_energy) && std::isfinite(centre_of_mass.x) &&
+         std::isfinite(centre_of_mass.y) && std::isfinite(mean_density);
 }
 
 Diagnostics make_diagnostics(std::span<const double> totals, const Params& params) {

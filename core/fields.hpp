@@ -1,5 +1,5 @@
-// Every array of a run, declared once with its type, length and unit. "In" fields hold the state a step starts
-// from, in the order the last step left it; all others are in the cell order of the current step.
+// Every array of a run, declared once with its type, length and unit. "In" fields hold the state a step
+// starts from, in the order the last step left it; all others are in the cell order of the current step.
 #pragma once
 
 #include <array>
@@ -19,8 +19,17 @@ enum class Type { real, vec2, vec4, uint, uvec2 };
 
 /// What the totals of a step hold, in this order; the first ten are also partial sums per chunk.
 enum class Total {
-  density, compression, speed_squared, x, y, wall_force_x, wall_force_y, lost, max_compression,
-  max_speed_squared, count
+  density,
+  compression,
+  speed_squared,
+  x,
+  y,
+  wall_force_x,
+  wall_force_y,
+  lost,
+  max_compression,
+  max_speed_squared,
+  count
 };
 inline constexpr uint32_t total_count = static_cast<uint32_t>(Total::count);
 /// The totals from this one on are folded by max, those before by sum.
@@ -122,8 +131,9 @@ struct Sizes {
   }
 };
 
-/// Entries to set aside for the neighbour lists of `n` particles at smoothing H/h: the mean number of neighbours is
-/// pi (2H/h)^2 - 1, a slice is as long as its longest list, and what is missing is added when it is needed.
+/// Entries to set aside for the neighbour lists of `n` particles at smoothing H/h: the mean number of
+/// neighbours is pi (2H/h)^2 - 1, a slice is as long as its longest list, and what is missing is added when
+/// it is needed.
 constexpr uint64_t first_list_size(uint64_t n, double smoothing) {
   const uint64_t slices = (n + slice_width - 1) / slice_width;
   return slices * slice_width * static_cast<uint64_t>(20 * smoothing * smoothing + 0.5) + 64 * slice_width;

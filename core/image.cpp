@@ -48,9 +48,7 @@ std::string encode_png(const Image& image) {
 PngWriter::PngWriter(size_t queue_limit)
     : queue_limit_(std::max<size_t>(queue_limit, 1)), thread_(&PngWriter::work, this) {}
 
-PngWriter::~PngWriter() {
-  stop();
-}
+PngWriter::~PngWriter() { stop(); }
 
 void PngWriter::write(std::filesystem::path path, Image image) {
   std::unique_lock lock(mutex_);

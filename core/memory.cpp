@@ -61,7 +61,8 @@ double available_memory() {
     double kilobytes = 0;
     if (key == "MemAvailable:" && file >> kilobytes) available = 1024 * kilobytes;
   }
-  const double limit = number_in("/sys/fs/cgroup/memory.max"), used = number_in("/sys/fs/cgroup/memory.current");
+  const double limit = number_in("/sys/fs/cgroup/memory.max"),
+               used = number_in("/sys/fs/cgroup/memory.current");
   return limit < std::numeric_limits<double>::infinity() ? std::min(available, limit - used) : available;
 }
 
@@ -73,10 +74,13 @@ void require_memory(const Scene& scene, Precision precision, double available) {
                          entries <= 2 * largest_count;
   if (countable && need.bytes <= available) return;
   throw InputError(fmt::format(
-      "{}: particles.spacing: found {:g}, which makes about {:.3g} particles, {:.3g} boundary samples and {:.3g} grid "
+      "{}: particles.spacing: found {:g}, which makes about {:.3g} particles, {:.3g} boundary samples and "
+      "{:.3g} grid "
       "cells that need {}, expected a scene that fits into {}; use a larger spacing or a smaller scene",
-      scene.spacing_where, scene.spacing, need.fluid, need.boundary, cells.x * cells.y, bytes_text(need.bytes),
-      need.bytes <= available ? "32-bit counts" : "the " + bytes_text(available) + " of memory that are free"));
+      scene.spacing_where, scene.spacing, need.fluid, need.boundary, cells.x * cells.y,
+      bytes_text(need.bytes),
+      need.bytes <= available ? "32-bit counts"
+                              : "the " + bytes_text(available) + " of memory that are free"));
 }
 
 }  // namespace sluice

@@ -24,22 +24,16 @@ constexpr size_t buffer_size = size_t{1} << 16;
 const char* advice(int reason) {
   switch (reason) {
     case ENOSPC:
-    case EDQUOT:
-      return "free some space or write somewhere else";
+    case EDQUOT: return "free some space or write somewhere else";
     case ENOENT:
-    case ENOTDIR:
-      return "create its folder first or name an existing one";
-    case EISDIR:
-      return "name a file, not a folder";
+    case ENOTDIR: return "create its folder first or name an existing one";
+    case EISDIR: return "name a file, not a folder";
     case EACCES:
     case EPERM:
     case EROFS:
-    case ETXTBSY:
-      return "choose a place that may be written";
-    case ENAMETOOLONG:
-      return "choose a shorter name";
-    default:
-      return "check the disk or write somewhere else";
+    case ETXTBSY: return "choose a place that may be written";
+    case ENAMETOOLONG: return "choose a shorter name";
+    default: return "check the disk or write somewhere else";
   }
 }
 
@@ -90,9 +84,7 @@ OutputFile::OutputFile(std::filesystem::path path) : path_(std::move(path)), tar
   if (exists && fchmod(descriptor_, status.st_mode & 07777) != 0) fail(errno);
 }
 
-OutputFile::~OutputFile() {
-  discard();
-}
+OutputFile::~OutputFile() { discard(); }
 
 OutputFile::OutputFile(OutputFile&& other) noexcept
     : path_(std::move(other.path_)),

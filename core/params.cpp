@@ -10,8 +10,8 @@
 namespace sluice {
 namespace {
 
-/// Edge of a grid cell: 2H, widened by what rounding a position's cell coordinate to float can cost, so that two
-/// particles in reach of each other never lie more than one cell apart.
+/// Edge of a grid cell: 2H, widened by what rounding a position's cell coordinate to float can cost, so that
+/// two particles in reach of each other never lie more than one cell apart.
 double cell_edge(const Scene& scene) {
   const double support = 2 * scene.smoothing_length();
   const glm::dvec2 extent = scene.domain_max - scene.domain_min;

@@ -1,5 +1,5 @@
-// All constants of a run, declared once: the CPU stages read ParamsOf<float> or ParamsOf<double>, the shaders a
-// uniform block made from the same list. Derived constants are computed in double and rounded once.
+// All constants of a run, declared once: the CPU stages read ParamsOf<float> or ParamsOf<double>, the shaders
+// a uniform block made from the same list. Derived constants are computed in double and rounded once.
 #pragma once
 
 #include <cstdint>
@@ -76,8 +76,8 @@ Params make_relax_params(const Params& params);
 /// Grid cells along the edges of the scene's domain, padding included; as doubles, so that nothing overflows.
 glm::dvec2 grid_cells(const Scene& scene);
 
-/// Cell of position x, padding included. Positions outside the grid belong to its outermost cells: the clamp is
-/// monotone, so neighbours stay neighbours. NaN goes to the first cell.
+/// Cell of position x, padding included. Positions outside the grid belong to its outermost cells: the clamp
+/// is monotone, so neighbours stay neighbours. NaN goes to the first cell.
 template <class Real>
 uint32_t cell_of(const ParamsOf<Real>& params, glm::vec<2, Real> x) {
   const auto along = [&](Real offset, uint32_t padded) {

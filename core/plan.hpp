@@ -1,5 +1,5 @@
-// The plan: which stages a scene's step runs, in order. Policy lives here and in the simulator; a backend only knows
-// how to run a stage.
+// The plan: which stages a scene's step runs, in order. Policy lives here and in the simulator; a backend
+// only knows how to run a stage.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace sluice {
 
-/// One step: search and density, forces up to the pressure system, the sweep that is repeated until the pressure has
-/// converged (empty when pressure comes from a state equation), and what follows.
+/// One step: search and density, forces up to the pressure system, the sweep that is repeated until the
+/// pressure has converged (empty when pressure comes from a state equation), and what follows.
 struct Plan {
   Needs needs;
   std::vector<Stage> search, forces, sweep, finish;
@@ -23,7 +23,8 @@ struct Plan {
 /// The plan of one simulation step.
 Plan make_plan(const Needs& needs);
 
-/// The plan of one relaxation of the positions: density, then a pressure solve whose acceleration moves particles.
+/// The plan of one relaxation of the positions: density, then a pressure solve whose acceleration moves
+/// particles.
 Plan make_relax_plan(const Needs& needs);
 
 }  // namespace sluice

@@ -77,7 +77,8 @@ std::vector<Vec2> points_of(const Polygon& polygon, double h) {
 std::vector<Vec2> points_of(const Container& box, double h) {
   std::vector<Vec2> points;
   const auto column = [&](double x) {
-    for (uint32_t j = 0; box.min.y + j * h <= box.max.y + 1e-6 * h; ++j) points.push_back({x, box.min.y + j * h});
+    for (uint32_t j = 0; box.min.y + j * h <= box.max.y + 1e-6 * h; ++j)
+      points.push_back({x, box.min.y + j * h});
   };
   const auto row = [&](double y) {
     const double end = box.max.x - (box.layers - 0.5) * h;
@@ -166,9 +167,11 @@ void sample_boundary(const Scene& scene, Samples& samples, Places& places) {
 
 void refuse_overlap(const Scene& scene, const FluidShape& shape, Vec2 point, const Places::Entry& other) {
   const size_t walls = scene.boundary.size();
-  const std::string& key = other.tag < walls ? scene.boundary[other.tag].key : scene.fluid[other.tag - walls].key;
+  const std::string& key =
+      other.tag < walls ? scene.boundary[other.tag].key : scene.fluid[other.tag - walls].key;
   throw InputError(fmt::format(
-      "{}: {}: found fluid at ({:g}, {:g}) within half a spacing of {} at ({:g}, {:g}), expected at least h/2 = {:g} "
+      "{}: {}: found fluid at ({:g}, {:g}) within half a spacing of {} at ({:g}, {:g}), expected at least "
+      "h/2 = {:g} "
       "between them",
       shape.where, shape.key, point.x, point.y, key, other.point.x, other.point.y, scene.spacing / 2));
 }
@@ -178,9 +181,10 @@ void sample_fluid(const Scene& scene, Samples& samples, Places& places) {
     const FluidShape& shape = scene.fluid[s];
     const std::vector<Vec2> points = points_of_any(shape.geometry, scene.spacing);
     if (points.empty()) {
-      throw InputError(fmt::format("{}: {}: found no particle in it, expected a shape that holds at least one; make it "
-                                   "larger or particles.spacing smaller",
-                                   shape.where, shape.key));
+      throw InputError(
+          fmt::format("{}: {}: found no particle in it, expected a shape that holds at least one; make it "
+                      "larger or particles.spacing smaller",
+                      shape.where, shape.key));
     }
     for (const Vec2 point : points) {
       if (const auto* other = places.near(point)) refuse_overlap(scene, shape, point, *other);
@@ -208,9 +212,7 @@ double area_bound(const Segment& segment, double h) {
   return segment.layers * (glm::length(segment.to - segment.from) / h + 1);
 }
 
-Vec2 centre_of(const Rect& rect, double h) {
-  return rect.min + 0.5 * h * (Vec2(rect.count) - 1.0);
-}
+Vec2 centre_of(const Rect& rect, double h) { return rect.min + 0.5 * h * (Vec2(rect.count) - 1.0); }
 Vec2 centre_of(const Disc& disc, double) { return disc.centre; }
 Vec2 centre_of(const Polygon& polygon, double) {
   double area = 0;
@@ -246,7 +248,8 @@ SampleBounds sample_bounds(const Scene& scene) {
 }
 
 Vec2 start_velocity(const FluidShape& shape, double spacing, Vec2 x) {
-  const Vec2 centre = std::visit([&](const auto& geometry) { return centre_of(geometry, spacing); }, shape.geometry);
+  const Vec2 centre =
+      std::visit([&](const auto& geometry) { return centre_of(geometry, spacing); }, shape.geometry);
   return shape.velocity + shape.velocity_gradient * (x - centre);
 }
 

@@ -13,11 +13,11 @@ struct Samples {
   std::vector<Vec2> fluid;
   std::vector<uint32_t> fluid_shape;  ///< index into scene.fluid of each particle
   std::vector<Vec2> boundary;
-  uint64_t boundary_dropped = 0;      ///< boundary samples left out because they lay within h/2 of an earlier one
+  uint64_t boundary_dropped = 0;  ///< boundary samples left out because they lay within h/2 of an earlier one
 };
 
-/// Samples all shapes, checks that no fluid lies within h/2 of a boundary sample or of other fluid, and applies
-/// fluid.jitter. Throws InputError naming both places, or when no fluid comes out.
+/// Samples all shapes, checks that no fluid lies within h/2 of a boundary sample or of other fluid, and
+/// applies fluid.jitter. Throws InputError naming both places, or when no fluid comes out.
 Samples sample(const Scene& scene);
 
 /// Upper bounds on the particles and boundary samples of a scene, found without sampling it.
@@ -26,8 +26,8 @@ struct SampleBounds {
 };
 SampleBounds sample_bounds(const Scene& scene);
 
-/// Velocity at the start of the particle at `x` of the given shape: velocity + G (x - centre). The centre is a disc's
-/// centre, the middle of a rect's lattice, a polygon's centre of area.
+/// Velocity at the start of the particle at `x` of the given shape: velocity + G (x - centre). The centre is
+/// a disc's centre, the middle of a rect's lattice, a polygon's centre of area.
 Vec2 start_velocity(const FluidShape& shape, double spacing, Vec2 x);
 
 /// SplitMix64 (Steele et al. 2014), written out so that a seed means the same numbers everywhere.

@@ -1,5 +1,6 @@
-// A scene: what is simulated, with which models, for how long. Made by load_scene (core/scene_file.hpp) from a
-// TOML file, whole and validated, and never changed afterwards. Lengths and times are in the scene's own units.
+// A scene: what is simulated, with which models, for how long. Made by load_scene (core/scene_file.hpp) from
+// a TOML file, whole and validated, and never changed afterwards. Lengths and times are in the scene's own
+// units.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +15,8 @@ namespace sluice {
 
 using Vec2 = glm::dvec2;
 
-/// Samples min + (i, j) h with i < count.x and j < count.y; `layers` keeps only that many outer ones (0: all).
+/// Samples min + (i, j) h with i < count.x and j < count.y; `layers` keeps only that many outer ones (0:
+/// all).
 struct Rect {
   Vec2 min{};
   glm::uvec2 count{};
@@ -122,11 +124,12 @@ struct Scene {
   glm::uvec2 image_size{};
   Colour colour = Colour::speed;
 
-  std::string spacing_where;  ///< FILE:LINE:COLUMN of particles.spacing, for "needs more memory than there is"
+  std::string
+      spacing_where;  ///< FILE:LINE:COLUMN of particles.spacing, for "needs more memory than there is"
   nlohmann::ordered_json settings;  ///< every key as run, defaults filled in, in the order of the key table
 
-  double smoothing_length() const { return smoothing * spacing; }       ///< H
-  double mass() const { return rest_density * spacing * spacing; }      ///< m = rho0 h^2
+  double smoothing_length() const { return smoothing * spacing; }   ///< H
+  double mass() const { return rest_density * spacing * spacing; }  ///< m = rho0 h^2
 };
 
 }  // namespace sluice

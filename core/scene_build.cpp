@@ -15,9 +15,7 @@ namespace {
 
 constexpr double max_steps = 9007199254740992.0;  // 2^53, as far as a double counts
 
-uint32_t count(const SceneValue& value) {
-  return static_cast<uint32_t>(value.integer);
-}
+uint32_t count(const SceneValue& value) { return static_cast<uint32_t>(value.integer); }
 
 void read_particles(const SceneValue& table, Scene& scene) {
   const SceneValue& spacing = table.at("spacing");

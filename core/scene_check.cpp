@@ -102,18 +102,12 @@ void check_value(const SceneValue& value, const std::string& path, const SceneKe
     if (!good) refuse(value, path, expectation(key));
   };
   switch (key.type) {
-    case KeyType::text:
-      return only_if(value.kind == Kind::text);
-    case KeyType::number:
-      return only_if(number(value));
-    case KeyType::integer:
-      return only_if(integer(value));
-    case KeyType::length:
-      return only_if(is_length(value));
-    case KeyType::choice:
-      return only_if(is_choice(value, key.choices));
-    case KeyType::choices:
-      return check_choices(value, path, key);
+    case KeyType::text: return only_if(value.kind == Kind::text);
+    case KeyType::number: return only_if(number(value));
+    case KeyType::integer: return only_if(integer(value));
+    case KeyType::length: return only_if(is_length(value));
+    case KeyType::choice: return only_if(is_choice(value, key.choices));
+    case KeyType::choices: return check_choices(value, path, key);
     case KeyType::numbers:
       check_array(value, path, 2, 2, key);
       return check_items(value, path, element_expectation(key), number);
@@ -206,9 +200,7 @@ const SceneValue* find_path(const SceneValue& root, std::string_view path) {
 
 }  // namespace
 
-void check_scene(SceneValue& root) {
-  check_table(root, "", "");
-}
+void check_scene(SceneValue& root) { check_table(root, "", ""); }
 
 void refuse_unavailable(const SceneValue& root) {
   std::string chosen = "pressure." + root.at("pressure").at("method").text;

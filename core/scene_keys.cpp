@@ -10,12 +10,8 @@ constexpr KeyRange any{};
 constexpr KeyRange positive{.low = 0, .low_excluded = true};
 constexpr KeyRange not_negative{.low = 0};
 
-constexpr KeyRange at_least(double low) {
-  return {.low = low};
-}
-constexpr KeyRange from_to(double low, double high) {
-  return {.low = low, .high = high};
-}
+constexpr KeyRange at_least(double low) { return {.low = low}; }
+constexpr KeyRange from_to(double low, double high) { return {.low = low, .high = high}; }
 
 constexpr std::array<KeyChoice, 2> boundary_models{{{"mirror"}, {"akinci", false}}};
 constexpr std::array<KeyChoice, 4> container_sides{{{"left"}, {"right"}, {"bottom"}, {"top"}}};
@@ -228,12 +224,8 @@ constexpr std::array keys{
 
 }  // namespace
 
-std::span<const SceneKey> scene_keys() {
-  return keys;
-}
+std::span<const SceneKey> scene_keys() { return keys; }
 
-std::span<const SceneSection> scene_sections() {
-  return sections;
-}
+std::span<const SceneSection> scene_sections() { return sections; }
 
 }  // namespace sluice

@@ -55,28 +55,17 @@ std::string length_text(const KeyRange& range) {
 
 std::string_view type_name(KeyType type) {
   switch (type) {
-    case KeyType::text:
-      return "string";
-    case KeyType::number:
-      return "number";
-    case KeyType::integer:
-      return "integer";
-    case KeyType::length:
-      return "length";
-    case KeyType::numbers:
-      return "[number, number]";
-    case KeyType::lengths:
-      return "point";
-    case KeyType::integers:
-      return "[integer, integer]";
-    case KeyType::matrix:
-      return "2 rows of 2 numbers";
-    case KeyType::points:
-      return "3 or more points";
-    case KeyType::choice:
-      return "string";
-    case KeyType::choices:
-      return "strings";
+    case KeyType::text: return "string";
+    case KeyType::number: return "number";
+    case KeyType::integer: return "integer";
+    case KeyType::length: return "length";
+    case KeyType::numbers: return "[number, number]";
+    case KeyType::lengths: return "point";
+    case KeyType::integers: return "[integer, integer]";
+    case KeyType::matrix: return "2 rows of 2 numbers";
+    case KeyType::points: return "3 or more points";
+    case KeyType::choice: return "string";
+    case KeyType::choices: return "strings";
   }
   return "";
 }
@@ -140,51 +129,32 @@ std::string join_choices(std::span<const KeyChoice> choices, std::string_view la
   return text;
 }
 
-std::string length_expectation() {
-  return length_text({});
-}
+std::string length_expectation() { return length_text({}); }
 
 std::string element_expectation(const SceneKey& key) {
   switch (key.type) {
-    case KeyType::numbers:
-      return "a number" + range_text(key.range);
-    case KeyType::integers:
-      return "an integer" + range_text(key.range);
-    case KeyType::lengths:
-      return length_text(key.range);
-    case KeyType::matrix:
-      return "an array of two numbers";
-    case KeyType::points:
-      return "an array of two lengths";
-    case KeyType::choices:
-      return join_choices(key.choices);
-    default:
-      return expectation(key);
+    case KeyType::numbers: return "a number" + range_text(key.range);
+    case KeyType::integers: return "an integer" + range_text(key.range);
+    case KeyType::lengths: return length_text(key.range);
+    case KeyType::matrix: return "an array of two numbers";
+    case KeyType::points: return "an array of two lengths";
+    case KeyType::choices: return join_choices(key.choices);
+    default: return expectation(key);
   }
 }
 
 std::string expectation(const SceneKey& key) {
   switch (key.type) {
-    case KeyType::text:
-      return "a string";
-    case KeyType::number:
-      return "a number" + range_text(key.range);
-    case KeyType::integer:
-      return "an integer" + range_text(key.range);
-    case KeyType::length:
-      return length_text(key.range);
-    case KeyType::numbers:
-      return "an array of two numbers";
-    case KeyType::lengths:
-      return "an array of two lengths";
-    case KeyType::integers:
-      return "an array of two integers";
-    case KeyType::matrix:
-      return "two rows of two numbers, [[a, b], [c, d]]";
-    case KeyType::points:
-      return "an array of three or more points [x, y]";
-    case KeyType::choice:
-      return join_choices(key.choices);
+    case KeyType::text: return "a string";
+    case KeyType::number: return "a number" + range_text(key.range);
+    case KeyType::integer: return "an integer" + range_text(key.range);
+    case KeyType::length: return length_text(key.range);
+    case KeyType::numbers: return "an array of two numbers";
+    case KeyType::lengths: return "an array of two lengths";
+    case KeyType::integers: return "an array of two integers";
+    case KeyType::matrix: return "two rows of two numbers, [[a, b], [c, d]]";
+    case KeyType::points: return "an array of three or more points [x, y]";
+    case KeyType::choice: return join_choices(key.choices);
     case KeyType::choices:
       return fmt::format("an array of one or more of {}, each at most once",
                          join_choices(key.choices, "and"));

@@ -13,9 +13,7 @@ namespace {
 
 constexpr double max_samples = 4294967295.0;  // ids are 32 bits wide
 
-uint32_t layers_of(const SceneValue& table) {
-  return static_cast<uint32_t>(table.at("layers").integer);
-}
+uint32_t layers_of(const SceneValue& table) { return static_cast<uint32_t>(table.at("layers").integer); }
 
 /// Rows in the file, columns in memory.
 glm::dmat2 matrix(const SceneValue& rows) {
@@ -43,13 +41,9 @@ const std::string& blame(std::initializer_list<const SceneValue*> values) {
   return (*values.begin())->where;
 }
 
-Vec2 numbers(const SceneValue& pair) {
-  return {pair.items[0].number, pair.items[1].number};
-}
+Vec2 numbers(const SceneValue& pair) { return {pair.items[0].number, pair.items[1].number}; }
 
-std::string describe(Vec2 point) {
-  return fmt::format("({}, {})", point.x, point.y);
-}
+std::string describe(Vec2 point) { return fmt::format("({}, {})", point.x, point.y); }
 
 double ShapeReader::length(const SceneValue& value, const std::string& path) const {
   double result = value.is_number() ? value.number : parse_length(value.text)->value(h_);

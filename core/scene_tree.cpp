@@ -29,22 +29,16 @@ void SceneValue::erase(std::string_view name) {
 
 std::string describe(const SceneValue& value) {
   switch (value.kind) {
-    case SceneValue::Kind::integer:
-      return fmt::format("{}", value.integer);
+    case SceneValue::Kind::integer: return fmt::format("{}", value.integer);
     case SceneValue::Kind::number: {
       std::string text = fmt::format("{}", value.number);
       return text.find_first_not_of("-0123456789") == text.npos ? text + ".0" : text;
     }
-    case SceneValue::Kind::boolean:
-      return value.boolean ? "true" : "false";
-    case SceneValue::Kind::date:
-      return "a date or time";
-    case SceneValue::Kind::array:
-      return fmt::format("an array of {}", value.items.size());
-    case SceneValue::Kind::table:
-      return "a table";
-    case SceneValue::Kind::text:
-      break;
+    case SceneValue::Kind::boolean: return value.boolean ? "true" : "false";
+    case SceneValue::Kind::date: return "a date or time";
+    case SceneValue::Kind::array: return fmt::format("an array of {}", value.items.size());
+    case SceneValue::Kind::table: return "a table";
+    case SceneValue::Kind::text: break;
   }
   constexpr size_t shown = 60;
   if (value.text.size() <= shown) return fmt::format("\"{}\"", value.text);

@@ -66,7 +66,8 @@ Simulator::Simulator(const Scene& scene, const Samples& samples, Backend& backen
   start(scene.relax > 0 ? relaxed_positions(samples.fluid) : samples.fluid);
 }
 
-/// Velocities come from the (relaxed) positions. The density of the start is computed, so that it can be drawn.
+/// Velocities come from the (relaxed) positions. The density of the start is computed, so that it can be
+/// drawn.
 void Simulator::start(const std::vector<Vec2>& x) {
   std::vector<Vec2> v(x.size());
   for (size_t i = 0; i < x.size(); ++i) {
@@ -99,9 +100,10 @@ std::vector<Vec2> Simulator::relaxed_positions(const std::vector<Vec2>& x) {
   const std::vector<Vec2> relaxed = by_id(vectors(Field::x_in), ids(Field::id));
   for (size_t i = 0; i < relaxed.size(); ++i) {
     if (is_finite(relaxed[i])) continue;
-    throw InputError(fmt::format("{}: fluid.relax: found a relaxation that diverges at particle {} near ({:g}, {:g}), "
-                                 "expected positions that can be relaxed; lower fluid.jitter or leave out fluid.relax",
-                                 scene_.file, i, x[i].x, x[i].y));
+    throw InputError(
+        fmt::format("{}: fluid.relax: found a relaxation that diverges at particle {} near ({:g}, {:g}), "
+                    "expected positions that can be relaxed; lower fluid.jitter or leave out fluid.relax",
+                    scene_.file, i, x[i].x, x[i].y));
   }
   return relaxed;
 }
@@ -142,11 +144,13 @@ void Simulator::run_search(const Plan& plan) {
     uint32_t needed = 0;
     while (backend_.download(Field::list_needed, std::span(&needed, 1)), needed > sizes_.list) {
       if (needed == std::numeric_limits<uint32_t>::max()) {
-        throw EnvironmentError("the neighbour list would need more than 2^32 entries: particles crowd together; use a "
-                               "smaller time step or fewer particles");
+        throw EnvironmentError(
+            "the neighbour list would need more than 2^32 entries: particles crowd together; use a "
+            "smaller time step or fewer particles");
       }
-      sizes_.list = std::min<uint64_t>(uint64_t{needed} + needed / 4, std::numeric_limits<uint32_t>::max() - 1) /
-                    slice_width * slice_width;
+      sizes_.list =
+          std::min<uint64_t>(uint64_t{needed} + needed / 4, std::numeric_limits<uint32_t>::max() - 1) /
+          slice_width * slice_width;
       backend_.resize_list(sizes_.list);
       backend_.run(stage);
     }
@@ -158,7 +162,8 @@ void Simulator::solve_pressure(const Plan& plan, double tolerance, StepReport& r
   if (plan.sweep.empty()) return;
   const Iisph& iisph = scene_.iisph;
   double error = std::numeric_limits<double>::infinity();
-  while ((error >= tolerance || report.iterations < iisph.min_iterations) && report.iterations < iisph.max_iterations) {
+  while ((error >= tolerance || report.iterations < iisph.min_iterations) &&
+         report.iterations < iisph.max_iterations) {
     run(plan.sweep);
     std::array<double, 2> sums{};
     backend_.download(Field::residual, sums);
@@ -211,7 +216,8 @@ std::optional<Failure> Simulator::judge(const StepReport& report) const {
     for (uint32_t i = 0; i < v.size(); ++i) {
       if (glm::length(v[i]) > glm::length(v[failure.id])) failure.id = i;
     }
-    failure.reason = fmt::format("a particle moved by {:.3g} spacings in one step, more than {:g}", d.cfl, largest_cfl);
+    failure.reason =
+        fmt::format("a particle moved by {:.3g} spacings in one step, more than {:g}", d.cfl, largest_cfl);
   } else {
     failure.id = first_with(lost);
     failure.reason = fmt::format("{} of {} particles are lost, more than {:g} %", d.lost, params_.n,
@@ -245,10 +251,11 @@ Snapshot Simulator::snapshot() const {
     return {by_id(vectors(Field::x_in), id), by_id(vectors(Field::v_in), id), by_id(scalars(Field::rho), id),
             by_id(scalars(Field::p), id)};
   }
-  // The state before the step that failed: x and v in the order of that step, rho and p in that of the step before.
+  // The state before the step that failed: x and v in the order of that step, rho and p in that of the step
+  // before.
   const std::vector<uint32_t> id_before = ids(Field::id_in);
-  return {by_id(vectors(Field::x), id), by_id(vectors(Field::v), id), by_id(scalars(Field::rho_in), id_before),
-          by_id(scalars(Field::p_in), id_before)};
+  return {by_id(vectors(Field::x), id), by_id(vectors(Field::v), id),
+          by_id(scalars(Field::rho_in), id_before), by_id(scalars(Field::p_in), id_before)};
 }
 
 }  // namespace sluice

@@ -1,5 +1,5 @@
-// Walks the plan: sets up the start, runs the stages of a step in order, decides when the pressure has converged and
-// whether the run is still valid. All policy is here; the backend only computes.
+// Walks the plan: sets up the start, runs the stages of a step in order, decides when the pressure has
+// converged and whether the run is still valid. All policy is here; the backend only computes.
 #pragma once
 
 #include <optional>
@@ -15,8 +15,8 @@
 namespace sluice {
 
 struct StepReport {
-  uint64_t step = 0;        ///< 1 for the first
-  double time = 0;          ///< at the end of the step
+  uint64_t step = 0;  ///< 1 for the first
+  double time = 0;    ///< at the end of the step
   double dt = 0;
   uint32_t iterations = 0;  ///< 0 where pressure comes from a state equation
   double residual = 0;      ///< the last e
@@ -41,7 +41,8 @@ struct Snapshot {
 
 class Simulator {
  public:
-  /// Sets up the start of `scene` on `backend`, relaxed if the scene asks for it. Both must outlive the simulator.
+  /// Sets up the start of `scene` on `backend`, relaxed if the scene asks for it. Both must outlive the
+  /// simulator.
   Simulator(const Scene& scene, const Samples& samples, Backend& backend);
 
   /// Runs one step. Sets failure() when the state it leads to is invalid; then no further step may follow.
@@ -53,7 +54,8 @@ class Simulator {
   const std::optional<Failure>& failure() const { return failure_; }
   const Plan& plan() const { return plan_; }
 
-  /// The state after the last step, or the last finite one before it. At step 0 the density is that of the start.
+  /// The state after the last step, or the last finite one before it. At step 0 the density is that of the
+  /// start.
   Snapshot snapshot() const;
 
  private:

@@ -1,5 +1,5 @@
-// THE table of stages: what one simulation step is made of. A stage is a row here, a function cpu/<stage>.cpp and
-// its equation in docs/model.md. Order is not decided here but by the plan (core/plan.hpp).
+// THE table of stages: what one simulation step is made of. A stage is a row here, a function cpu/<stage>.cpp
+// and its equation in docs/model.md. Order is not decided here but by the plan (core/plan.hpp).
 #pragma once
 
 #include <array>
@@ -59,9 +59,9 @@ inline constexpr uint32_t stage_count = static_cast<uint32_t>(Stage::count);
 struct StageInfo {
   std::string_view name;
   FieldSet reads, writes;
-  Length range;                 ///< what one invocation works on
+  Length range;  ///< what one invocation works on
   bool (*needed)(const Needs&);
-  std::string_view equation;    ///< in short; docs/model.md has it with its source
+  std::string_view equation;  ///< in short; docs/model.md has it with its source
 };
 
 const std::array<StageInfo, stage_count>& stage_table();

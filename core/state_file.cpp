@@ -11,8 +11,10 @@ void write_state(OutputFile& file, const Snapshot& snapshot, uint64_t step, Prec
   for (size_t i = 0; i < snapshot.x.size(); ++i) {
     row = std::to_string(i);
     const Vec2 x = snapshot.x[i], v = snapshot.v[i];
-    const double density = step == 0 ? 0 : snapshot.density[i], pressure = step == 0 ? 0 : snapshot.pressure[i];
-    for (const double value : {x.x, x.y, v.x, v.y, density, pressure}) row += ',' + round_trip(value, precision);
+    const double density = step == 0 ? 0 : snapshot.density[i],
+                 pressure = step == 0 ? 0 : snapshot.pressure[i];
+    for (const double value : {x.x, x.y, v.x, v.y, density, pressure})
+      row += ',' + round_trip(value, precision);
     row += '\n';
     file.write(row);
   }

@@ -88,16 +88,17 @@ nlohmann::ordered_json to_json(const RunSummary& summary) {
 
 std::string to_text(const RunSummary& summary) {
   const auto& [scene, samples, backend, simulator, statistics, seconds] = summary;
-  std::string text = fmt::format("{}: {} steps of {}, {:g} simulated in {:.3g} s, {} + {} particles\n", scene.title,
-                                 statistics.steps(), title_of(scene.method), simulator.time(), seconds,
-                                 samples.fluid.size(), samples.boundary.size());
+  std::string text = fmt::format("{}: {} steps of {}, {:g} simulated in {:.3g} s, {} + {} particles\n",
+                                 scene.title, statistics.steps(), title_of(scene.method), simulator.time(),
+                                 seconds, samples.fluid.size(), samples.boundary.size());
   if (!simulator.plan().sweep.empty()) {
-    text += fmt::format("iterations {:.2f} on average, {} at most; {} steps did not converge\n",
-                        statistics.iterations_mean(), statistics.iterations_max(), statistics.not_converged());
+    text +=
+        fmt::format("iterations {:.2f} on average, {} at most; {} steps did not converge\n",
+                    statistics.iterations_mean(), statistics.iterations_max(), statistics.not_converged());
   }
-  text += fmt::format("compression {:.2e} on average, {:.2e} at most; cfl {:.3f} at most; {} particles lost\n\n",
-                      statistics.compression_mean(), statistics.compression_max(), statistics.cfl_max(),
-                      statistics.lost());
+  text += fmt::format(
+      "compression {:.2e} on average, {:.2e} at most; cfl {:.3f} at most; {} particles lost\n\n",
+      statistics.compression_mean(), statistics.compression_max(), statistics.cfl_max(), statistics.lost());
   text += fmt::format("{:<24}{:>10}{:>8}\n", "stage", "seconds", "share");
   double staged = 0;
   const auto row = [&](std::string_view name, double spent) {

@@ -44,13 +44,15 @@ auto scalars(std::vector<T>& values) {
 }
 template <class Scalar, class T>
 auto scalars(const std::vector<T>& values) {
-  return std::span(reinterpret_cast<const Scalar*>(values.data()), values.size() * sizeof(T) / sizeof(Scalar));
+  return std::span(reinterpret_cast<const Scalar*>(values.data()),
+                   values.size() * sizeof(T) / sizeof(Scalar));
 }
 
 template <class From, class To>
 void copy_converted(std::span<const From> from, std::span<To> to, Field field) {
   if (from.size() != to.size()) {
-    throw std::logic_error(fmt::format("field {}: {} values for {}", info(field).name, from.size(), to.size()));
+    throw std::logic_error(
+        fmt::format("field {}: {} values for {}", info(field).name, from.size(), to.size()));
   }
   for (size_t i = 0; i < from.size(); ++i) to[i] = static_cast<To>(from[i]);
 }
@@ -69,8 +71,8 @@ class CpuBackend final : public Backend {
         visit_field(state_, field, [&](auto& values) { resize_to(values, size); });
       }
     } catch (const std::bad_alloc&) {
-      throw EnvironmentError(fmt::format("out of memory for {} particles; close other programs or use fewer particles",
-                                         sizes.fluid));
+      throw EnvironmentError(fmt::format(
+          "out of memory for {} particles; close other programs or use fewer particles", sizes.fluid));
     }
   }
 
@@ -80,8 +82,10 @@ class CpuBackend final : public Backend {
       resize_to(state_.index, state_.sizes.of(Length::list));
       resize_to(state_.gradient, state_.sizes.of(Length::gradients));
     } catch (const std::bad_alloc&) {
-      throw EnvironmentError(fmt::format(
-          "out of memory for a neighbour list of {} entries; particles crowd together, use a smaller time step", entries));
+      throw EnvironmentError(
+          fmt::format("out of memory for a neighbour list of {} entries; particles crowd together, use a "
+                      "smaller time step",
+                      entries));
     }
   }
 
@@ -117,29 +121,37 @@ class CpuBackend final : public Backend {
 
   void upload(Field field, std::span<const double> values) override {
     visit_field(state_, field, [&]<class T>(std::vector<T>& to) {
-      if constexpr (is_uint<T>) throw std::logic_error("reals for a field of integers");
-      else copy_converted(values, scalars<Real>(to), field);
+      if constexpr (is_uint<T>)
+        throw std::logic_error("reals for a field of integers");
+      else
+        copy_converted(values, scalars<Real>(to), field);
     });
   }
 
   void upload(Field field, std::span<const uint32_t> values) override {
     visit_field(state_, field, [&]<class T>(std::vector<T>& to) {
-      if constexpr (!is_uint<T>) throw std::logic_error("integers for a field of reals");
-      else copy_converted(values, scalars<uint32_t>(to), field);
+      if constexpr (!is_uint<T>)
+        throw std::logic_error("integers for a field of reals");
+      else
+        copy_converted(values, scalars<uint32_t>(to), field);
     });
   }
 
   void download(Field field, std::span<double> values) const override {
     visit_field(state_, field, [&]<class T>(const std::vector<T>& from) {
-      if constexpr (is_uint<T>) throw std::logic_error("reals from a field of integers");
-      else copy_converted(scalars<Real>(from), values, field);
+      if constexpr (is_uint<T>)
+        throw std::logic_error("reals from a field of integers");
+      else
+        copy_converted(scalars<Real>(from), values, field);
     });
   }
 
   void download(Field field, std::span<uint32_t> values) const override {
     visit_field(state_, field, [&]<class T>(const std::vector<T>& from) {
-      if constexpr (!is_uint<T>) throw std::logic_error("integers from a field of reals");
-      else copy_converted(scalars<uint32_t>(from), values, field);
+      if constexpr (!is_uint<T>)
+        throw std::logic_error("integers from a field of reals");
+      else
+        copy_converted(scalars<uint32_t>(from), values, field);
     });
   }
 

@@ -1,5 +1,5 @@
-// The CPU backend: OpenMP threads over plain arrays. In float it is the reference the shaders are compared with bit
-// for bit, in double what errors are measured against.
+// The CPU backend: OpenMP threads over plain arrays. In float it is the reference the shaders are compared
+// with bit for bit, in double what errors are measured against.
 #pragma once
 
 #include <memory>

@@ -1,7 +1,8 @@
-// All that a particle needs of the boundary in this step, summed once: no later stage walks over boundary samples.
-// Mirror boundary: every sample has mass m and rests [Hunkler 2022, section 5.2].
+// All that a particle needs of the boundary in this step, summed once: no later stage walks over boundary
+// samples. Mirror boundary: every sample has mass m and rests [Hunkler 2022, section 5.2].
 //   wall_density = m sum_b W_ib        B_i = m sum_b dW_ib        wall_gradient_squares = sum_b |m dW_ib|^2
-//   wall_viscosity = m sum_b dW_ib x_ib^T / (x_ib.x_ib + 0.01 H^2), which applied to v_i gives the viscous term
+//   wall_viscosity = m sum_b dW_ib x_ib^T / (x_ib.x_ib + 0.01 H^2), which applied to v_i gives the viscous
+//   term
 #include "cpu/kernel.hpp"
 #include "cpu/stages.hpp"
 

@@ -1,7 +1,7 @@
-// What the series and the summary report, per chunk of particles: sums of density, compression, speed squared,
-// position and force on the walls, the number of lost particles, and the largest compression and speed squared.
-// Densities and pressures are those of the step, positions and velocities those at its end. The force on the walls is
-// minus the boundary term of the pressure force.
+// What the series and the summary report, per chunk of particles: sums of density, compression, speed
+// squared, position and force on the walls, the number of lost particles, and the largest compression and
+// speed squared. Densities and pressures are those of the step, positions and velocities those at its end.
+// The force on the walls is minus the boundary term of the pressure force.
 #include "cpu/stages.hpp"
 
 namespace sluice::cpu {
@@ -42,7 +42,8 @@ void diagnostics(State<Real>& state) {
       at(Total::max_compression) = std::max(at(Total::max_compression), compression);
       at(Total::max_speed_squared) = std::max(at(Total::max_speed_squared), speed_squared);
     }
-    for (uint32_t total = 0; total < total_count; ++total) state.diagnostic_sums[total * chunks + chunk] = sums[total];
+    for (uint32_t total = 0; total < total_count; ++total)
+      state.diagnostic_sums[total * chunks + chunk] = sums[total];
   });
 }
 

@@ -1,7 +1,8 @@
-// IISPH: diagonal of the pressure system, sums over fluid and boundary neighbours alike [Hunkler 2022, eq. 5.13]:
+// IISPH: diagonal of the pressure system, sums over fluid and boundary neighbours alike [Hunkler 2022,
+// eq. 5.13]:
 //   A_ii = -dt^2/rho_i^2 ( |m sum dW|^2 + sum |m dW|^2 )
-// Differs from [Hunkler 2022, eq. 5.13]: printed there with separate inner sums for fluid and boundary; one sum over
-// all neighbours, as in algorithm 6, is what gives the published iteration counts.
+// Differs from [Hunkler 2022, eq. 5.13]: printed there with separate inner sums for fluid and boundary; one
+// sum over all neighbours, as in algorithm 6, is what gives the published iteration counts.
 #include "cpu/stages.hpp"
 
 namespace sluice::cpu {

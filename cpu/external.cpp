@@ -1,5 +1,5 @@
-// External acceleration: a_n = g - c (x - centre). c is 0 in all scenes but those of a drop held together by a
-// central force [Monaghan and Rafiee 2013].
+// External acceleration: a_n = g - c (x - centre). c is 0 in all scenes but those of a drop held together by
+// a central force [Monaghan and Rafiee 2013].
 #include "cpu/stages.hpp"
 
 namespace sluice::cpu {

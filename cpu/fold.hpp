@@ -1,5 +1,5 @@
-// Reductions in a fixed order: values are summed in groups of 64, these sums in groups of 64, and so on. The result
-// does not depend on threads, and a machine that works group by group gets the same bits.
+// Reductions in a fixed order: values are summed in groups of 64, these sums in groups of 64, and so on. The
+// result does not depend on threads, and a machine that works group by group gets the same bits.
 #pragma once
 
 #include <cstdint>

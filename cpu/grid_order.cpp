@@ -1,6 +1,6 @@
-// Sorts L within each cell by id, so that the order of all later sums depends on the state alone and not on who
-// came first to a counter.
-// Differs from [Hunkler 2022, algorithm 3]: there the order within a cell is that of insertion.
+// Sorts L within each cell by id, so that the order of all later sums depends on the state alone and not on
+// who came first to a counter. Differs from [Hunkler 2022, algorithm 3]: there the order within a cell is
+// that of insertion.
 #include "cpu/stages.hpp"
 
 namespace sluice::cpu {

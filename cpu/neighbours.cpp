@@ -1,9 +1,10 @@
-// The neighbours of every particle, r < 2H, in ascending order, with their kernel gradients: searched once per step,
-// walked by every stage after it [Hunkler 2022, algorithm 4].
+// The neighbours of every particle, r < 2H, in ascending order, with their kernel gradients: searched once
+// per step, walked by every stage after it [Hunkler 2022, algorithm 4].
 //
-// Layout: slices of 16 particles; entry k of the particle in lane l of a slice stands at first + 16 k + l, so that a
-// slice is as long as the longest of its lists. Each thread fills its own part of the list from the front. If a part
-// is too short, searching goes on without storing, and list_needed says how large the list has to be.
+// Layout: slices of 16 particles; entry k of the particle in lane l of a slice stands at first + 16 k + l, so
+// that a slice is as long as the longest of its lists. Each thread fills its own part of the list from the
+// front. If a part is too short, searching goes on without storing, and list_needed says how large the list
+// has to be.
 #include <omp.h>
 
 #include "cpu/kernel.hpp"
@@ -12,7 +13,8 @@
 namespace sluice::cpu {
 namespace {
 
-/// Stores the neighbours of particle i from entry `first` on while they are before `end`; returns their number.
+/// Stores the neighbours of particle i from entry `first` on while they are before `end`; returns their
+/// number.
 template <class Real>
 uint32_t search(State<Real>& state, uint32_t i, uint64_t first, uint64_t end) {
   const ParamsOf<Real>& params = state.params;
@@ -44,7 +46,7 @@ void neighbours(State<Real>& state) {
   const uint64_t slices = (n + slice_width - 1) / slice_width;
   const uint64_t parts = std::min<uint64_t>(static_cast<uint64_t>(state.threads), slices);
   uint64_t longest_part = 0;
-#pragma omp parallel for num_threads(static_cast<int>(parts)) schedule(static) reduction(max : longest_part)
+#pragma omp parallel for num_threads(static_cast <int>(parts)) schedule(static) reduction(max : longest_part)
   for (uint64_t part = 0; part < parts; ++part) {
     const auto share = [&](uint64_t of, uint64_t p) { return of * p / parts; };
     const uint64_t begin = share(state.sizes.list / slice_width, part) * slice_width;

@@ -5,9 +5,8 @@ namespace sluice::cpu {
 
 template <class Real>
 void predict(State<Real>& state) {
-  for_each_index(state.params.n, state.threads, [&](uint32_t i) {
-    state.v_star[i] = state.v[i] + state.params.dt * state.a_n[i];
-  });
+  for_each_index(state.params.n, state.threads,
+                 [&](uint32_t i) { state.v_star[i] = state.v[i] + state.params.dt * state.a_n[i]; });
 }
 
 }  // namespace sluice::cpu

@@ -1,5 +1,5 @@
-// Pressure acceleration, symmetric in i and j; a boundary sample mirrors the pressure of the particle that looks at
-// it, with rho0 [Hunkler 2022, algorithm 7]. With q = p/rho^2 and B_i = m sum_b dW_ib:
+// Pressure acceleration, symmetric in i and j; a boundary sample mirrors the pressure of the particle that
+// looks at it, with rho0 [Hunkler 2022, algorithm 7]. With q = p/rho^2 and B_i = m sum_b dW_ib:
 //   a_p = -m sum_j (q_i + q_j) dW_ij - (q_i + p_i/rho0^2) B_i
 #include "cpu/stages.hpp"
 

@@ -11,9 +11,8 @@ void pressure_operator(State<Real>& state) {
   for_each_index(params.n, state.threads, [&](uint32_t i) {
     const glm::vec<2, Real> a_i = state.a_p[i];
     Real sum{};
-    for_each_neighbour(state, i, [&](uint32_t j, glm::vec<2, Real> dW) {
-      sum += glm::dot(a_i - state.a_p[j], dW);
-    });
+    for_each_neighbour(state, i,
+                       [&](uint32_t j, glm::vec<2, Real> dW) { sum += glm::dot(a_i - state.a_p[j], dW); });
     sum = params.m * sum;
     if (walls) sum += glm::dot(a_i, state.wall_gradient[i]);
     state.Ap[i] = (params.dt * params.dt) * sum;

@@ -1,7 +1,8 @@
-// IISPH: one relaxed Jacobi step, p := max(p + omega (s - Ap)/A_ii, 0), and q = p/rho^2 [Hunkler 2022, algorithm 6].
-// Per chunk of particles also the residual |Ap - s|/rho0, summed over those whose updated pressure did not fall below
-// zero, and how many these are. A particle with A_ii = 0 (nobody in reach) keeps its pressure and is not counted.
-// Differs from [Hunkler 2022, algorithm 6]: line 14 there reads (Ap) != 0, with which pressure would never start.
+// IISPH: one relaxed Jacobi step, p := max(p + omega (s - Ap)/A_ii, 0), and q = p/rho^2 [Hunkler 2022,
+// algorithm 6]. Per chunk of particles also the residual |Ap - s|/rho0, summed over those whose updated
+// pressure did not fall below zero, and how many these are. A particle with A_ii = 0 (nobody in reach) keeps
+// its pressure and is not counted. Differs from [Hunkler 2022, algorithm 6]: line 14 there reads (Ap) != 0,
+// with which pressure would never start.
 #include <cmath>
 
 #include "cpu/stages.hpp"

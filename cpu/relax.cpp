@@ -1,5 +1,5 @@
-// Relaxation of the start: with dt = 1 the pressure acceleration of a solve for s = rho0 - rho is the move that
-// corrects the density. x := x + a_p, each move at most 0.1 h long.
+// Relaxation of the start: with dt = 1 the pressure acceleration of a solve for s = rho0 - rho is the move
+// that corrects the density. x := x + a_p, each move at most 0.1 h long.
 #include "cpu/stages.hpp"
 
 namespace sluice::cpu {

@@ -1,5 +1,7 @@
-// IISPH: source of the pressure system and the pressure to start from [Hunkler 2022, eq. 5.17; Ihmsen et al. 2014]:
-//   s_i = w (rho0 - rho_i) - dt ( m sum_j (v*_i - v*_j).dW_ij + v*_i.B_i ),   p := warm_start p,   q = p/rho^2
+// IISPH: source of the pressure system and the pressure to start from [Hunkler 2022, eq. 5.17; Ihmsen et al.
+// 2014]:
+//   s_i = w (rho0 - rho_i) - dt ( m sum_j (v*_i - v*_j).dW_ij + v*_i.B_i ),   p := warm_start p,   q =
+//   p/rho^2
 // with source weight w, 1 in the thesis.
 #include "cpu/stages.hpp"
 
@@ -12,9 +14,8 @@ void source(State<Real>& state) {
   for_each_index(params.n, state.threads, [&](uint32_t i) {
     const glm::vec<2, Real> v_i = state.v_star[i];
     Real sum{};
-    for_each_neighbour(state, i, [&](uint32_t j, glm::vec<2, Real> dW) {
-      sum += glm::dot(v_i - state.v_star[j], dW);
-    });
+    for_each_neighbour(state, i,
+                       [&](uint32_t j, glm::vec<2, Real> dW) { sum += glm::dot(v_i - state.v_star[j], dW); });
     sum = params.m * sum;
     if (walls) sum += glm::dot(v_i, state.wall_gradient[i]);
     const Real rho = state.rho[i];

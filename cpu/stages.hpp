@@ -6,7 +6,7 @@
 
 namespace sluice::cpu {
 
-#define STAGE(name)    \
+#define STAGE(name)     \
   template <class Real> \
   void name(State<Real>& state);
 SLUICE_STAGES(STAGE)
@@ -15,6 +15,6 @@ SLUICE_STAGES(STAGE)
 }  // namespace sluice::cpu
 
 /// Defines the two precisions of a stage at the end of its file.
-#define SLUICE_INSTANTIATE_STAGE(name)                                      \
-  template void sluice::cpu::name<float>(sluice::cpu::State<float>&);       \
+#define SLUICE_INSTANTIATE_STAGE(name)                                \
+  template void sluice::cpu::name<float>(sluice::cpu::State<float>&); \
   template void sluice::cpu::name<double>(sluice::cpu::State<double>&);

@@ -42,7 +42,8 @@ struct State {
   Sizes sizes;
   int threads = 1;
 
-#define FIELD(name, type, length, unit, meaning) std::vector<typename ElementOf<Real, Type::type>::element> name;
+#define FIELD(name, type, length, unit, meaning) \
+  std::vector<typename ElementOf<Real, Type::type>::element> name;
   SLUICE_FIELDS(FIELD)
 #undef FIELD
 };
@@ -68,8 +69,8 @@ void for_each_neighbour(const State<Real>& state, uint32_t i, F&& f) {
   }
 }
 
-/// Calls f(first, last) for the three ranges of places in L, one per row of cells, that hold all particles in reach
-/// of a position in `cell`; `C` gives the first place of each cell.
+/// Calls f(first, last) for the three ranges of places in L, one per row of cells, that hold all particles in
+/// reach of a position in `cell`; `C` gives the first place of each cell.
 template <class F>
 void for_each_row(const std::vector<uint32_t>& C, uint32_t columns, uint32_t cell, F&& f) {
   for (const uint32_t middle : {cell - columns, cell, cell + columns}) f(C[middle - 1], C[middle + 2]);

@@ -1,4 +1,5 @@
-// SSPH: pressure from a state equation, p = max(k (rho/rho0 - 1), 0) [Hunkler 2022, eq. 5.5], and q = p/rho^2.
+// SSPH: pressure from a state equation, p = max(k (rho/rho0 - 1), 0) [Hunkler 2022, eq. 5.5], and q =
+// p/rho^2.
 #include "cpu/stages.hpp"
 
 namespace sluice::cpu {

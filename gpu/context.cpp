@@ -184,17 +184,9 @@ void Context::check(std::string_view during) const {
   throw Error(text);
 }
 
-const std::string& Context::renderer() const {
-  return state_->renderer;
-}
-const std::string& Context::vendor() const {
-  return state_->vendor;
-}
-const std::string& Context::version() const {
-  return state_->version;
-}
-bool Context::software() const {
-  return state_->software;
-}
+const std::string& Context::renderer() const { return state_->renderer; }
+const std::string& Context::vendor() const { return state_->vendor; }
+const std::string& Context::version() const { return state_->version; }
+bool Context::software() const { return state_->software; }
 
 }  // namespace sluice::gpu

@@ -18,9 +18,7 @@ static_assert(std::is_same_v<EGLDisplay, void*>);
 namespace {
 
 // An extension of EGL itself, known before any display is.
-bool client_has(const char* extension) {
-  return epoxy_has_egl_extension(EGL_NO_DISPLAY, extension);
-}
+bool client_has(const char* extension) { return epoxy_has_egl_extension(EGL_NO_DISPLAY, extension); }
 
 }  // namespace
 
@@ -41,22 +39,14 @@ void require_libraries() {
 
 std::string egl_error() {
   switch (const EGLint error = eglGetError()) {
-    case EGL_SUCCESS:
-      return "no reason given";
-    case EGL_NOT_INITIALIZED:
-      return "EGL_NOT_INITIALIZED";
-    case EGL_BAD_ACCESS:
-      return "EGL_BAD_ACCESS";
-    case EGL_BAD_ALLOC:
-      return "EGL_BAD_ALLOC";
-    case EGL_BAD_ATTRIBUTE:
-      return "EGL_BAD_ATTRIBUTE";
-    case EGL_BAD_CONFIG:
-      return "EGL_BAD_CONFIG";
-    case EGL_BAD_MATCH:
-      return "EGL_BAD_MATCH, the version is not offered";
-    default:
-      return fmt::format("EGL error {:#06x}", error);
+    case EGL_SUCCESS: return "no reason given";
+    case EGL_NOT_INITIALIZED: return "EGL_NOT_INITIALIZED";
+    case EGL_BAD_ACCESS: return "EGL_BAD_ACCESS";
+    case EGL_BAD_ALLOC: return "EGL_BAD_ALLOC";
+    case EGL_BAD_ATTRIBUTE: return "EGL_BAD_ATTRIBUTE";
+    case EGL_BAD_CONFIG: return "EGL_BAD_CONFIG";
+    case EGL_BAD_MATCH: return "EGL_BAD_MATCH, the version is not offered";
+    default: return fmt::format("EGL error {:#06x}", error);
   }
 }
 

@@ -141,9 +141,7 @@ float Overlay::width(std::string_view text) const {
   return sum;
 }
 
-void Overlay::add_box(const Box& box, glm::vec4 colour) {
-  quads_.push_back({box, {}, colour});
-}
+void Overlay::add_box(const Box& box, glm::vec4 colour) { quads_.push_back({box, {}, colour}); }
 
 void Overlay::add_text(float left, float top, std::string_view text, glm::vec4 colour) {
   float x = left;

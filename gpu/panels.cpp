@@ -42,12 +42,9 @@ std::vector<std::string> wrapped(const Overlay& overlay, const std::string& line
 
 const char* bar_name(Colour colour) {
   switch (colour) {
-    case Colour::speed:
-      return "speed: |v| dt/h";
-    case Colour::density:
-      return "density: ρ/ρ₀";
-    case Colour::pressure:
-      return "pressure";
+    case Colour::speed: return "speed: |v| dt/h";
+    case Colour::density: return "density: ρ/ρ₀";
+    case Colour::pressure: return "pressure";
   }
   return "";
 }

@@ -72,9 +72,7 @@ Program::Program(const Context& context, const ShaderSource& vertex, const Shade
   glDetachShader(program_.name(), fragment_shader.name());
 }
 
-void Program::use() const {
-  glUseProgram(program_.name());
-}
+void Program::use() const { glUseProgram(program_.name()); }
 
 uint32_t Program::attribute(const std::string& name) const {
   const GLint location = glGetAttribLocation(program_.name(), name.c_str());

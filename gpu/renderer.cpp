@@ -93,13 +93,9 @@ Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
-void Renderer::set_boundary(std::span<const Vec2> positions) {
-  state_->particles.set_boundary(positions);
-}
+void Renderer::set_boundary(std::span<const Vec2> positions) { state_->particles.set_boundary(positions); }
 
-const Panels& Renderer::panels() const {
-  return state_->panels;
-}
+const Panels& Renderer::panels() const { return state_->panels; }
 
 Image Renderer::draw(const Frame& frame) {
   State& state = *state_;

@@ -66,7 +66,9 @@ TEST_P(EveryScene, StepOfAJitteredMovingStartEqualsTheEquations) {
 
 INSTANTIATE_TEST_SUITE_P(Scenes, EveryScene,
                          testing::Combine(testing::ValuesIn(all_scenes()), testing::Values("iisph", "ssph")),
-                         [](const auto& test) { return std::get<0>(test.param) + "_" + std::get<1>(test.param); });
+                         [](const auto& test) {
+                           return std::get<0>(test.param) + "_" + std::get<1>(test.param);
+                         });
 
 // The warm start, and strays far from the lattice, need more than one step.
 TEST(BruteForceTest, TenStepsOfTheBreakingDamEqualTheEquations) {
@@ -114,7 +116,8 @@ TEST(BruteForceTest, CentralForceAndNoBoundaryEqualTheEquations) {
     [time]
     dt = 0.01
     duration = 1
-  )", "drop.toml");
+  )",
+                            "drop.toml");
   Simulation simulation(scene);
   BruteForce reference(simulation.scene, simulation.samples);
   reference.step();

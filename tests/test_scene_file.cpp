@@ -30,9 +30,7 @@ const std::string tail = "[pressure]\nmethod = \"iisph\"\n[time]\ndt = 0.5\ndura
 const std::string small =
     head + "[fluid]\ngravity = [1, -2]\n[[fluid.rect]]\nmin = [0, 0]\ncount = [2, 3]\n" + tail;
 
-Scene scene_of(const std::string& shapes) {
-  return parse_scene(head + shapes + tail, "folder/some.toml");
-}
+Scene scene_of(const std::string& shapes) { return parse_scene(head + shapes + tail, "folder/some.toml"); }
 
 std::string refusal_of(const std::string& scene) {
   try {

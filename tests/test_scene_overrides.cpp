@@ -36,9 +36,7 @@ dt = 0.04
 duration = 50
 )";
 
-Scene with(const Overrides& overrides) {
-  return parse_scene(base, "t.toml", overrides);
-}
+Scene with(const Overrides& overrides) { return parse_scene(base, "t.toml", overrides); }
 
 std::string refusal_of(const Overrides& overrides) {
   try {
@@ -49,9 +47,7 @@ std::string refusal_of(const Overrides& overrides) {
   return "no refusal";
 }
 
-const Rect& rect(const Scene& scene, size_t i) {
-  return std::get<Rect>(scene.fluid.at(i).geometry);
-}
+const Rect& rect(const Scene& scene, size_t i) { return std::get<Rect>(scene.fluid.at(i).geometry); }
 
 TEST(SceneOverrides, AValueIsToml) {
   EXPECT_EQ(with({"particles.spacing=4"}).spacing, 4);

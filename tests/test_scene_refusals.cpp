@@ -73,9 +73,7 @@ void expect_refusals(const std::vector<Case>& cases) {
 
 const std::string length_forms = R"((a number, "a", "bh", "a+bh" or "a-bh", with h the spacing))";
 
-TEST(SceneRefusals, TheSceneTheyStartFromIsGood) {
-  EXPECT_EQ(refusal_of(scene_with(0, "")), "no refusal");
-}
+TEST(SceneRefusals, TheSceneTheyStartFromIsGood) { EXPECT_EQ(refusal_of(scene_with(0, "")), "no refusal"); }
 
 TEST(SceneRefusals, WrongTypes) {
   expect_refusals({

@@ -40,11 +40,12 @@ void print_scene(const std::string& name) {
   if (!scene.source.empty()) fmt::print("source: {}\n", scene.source);
   fmt::print("particles: {} fluid + {} boundary = {}", samples.fluid.size(), samples.boundary.size(),
              samples.fluid.size() + samples.boundary.size());
-  if (samples.boundary_dropped > 0) fmt::print(" ({} boundary samples dropped as doubles)", samples.boundary_dropped);
+  if (samples.boundary_dropped > 0)
+    fmt::print(" ({} boundary samples dropped as doubles)", samples.boundary_dropped);
   fmt::print("\nspacing h {:g}, smoothing length H {:g}, particle mass m {:g}\n", scene.spacing,
              scene.smoothing_length(), scene.mass());
-  fmt::print("method: {}, dt {:g}, duration {:g}: {:.0f} steps\n", title_of(scene.method), scene.dt, scene.duration,
-             std::round(scene.duration / scene.dt));
+  fmt::print("method: {}, dt {:g}, duration {:g}: {:.0f} steps\n", title_of(scene.method), scene.dt,
+             scene.duration, std::round(scene.duration / scene.dt));
   for (const Precision precision : {Precision::single_, Precision::double_}) {
     const MemoryNeed need = memory_need(scene, precision);
     fmt::print("memory in {}: {:.0f} bytes per fluid particle, about {} in all\n", name_of(precision),
@@ -61,8 +62,10 @@ void print_scene(const std::string& name) {
 }  // namespace
 
 int info_command(const std::optional<std::string>& scene) {
-  if (scene) print_scene(*scene);
-  else print_machine();
+  if (scene)
+    print_scene(*scene);
+  else
+    print_machine();
   return 0;
 }
 

@@ -29,8 +29,9 @@ extern "C" void request_stop(int) { stop_requested = 1; }
 std::unique_ptr<Backend> choose_backend(const RunOptions& options) {
   if (options.backend == BackendChoice::gpu) {
     if (options.precision == Precision::double_) {
-      throw InputError("--precision double: found it with --backend gpu, expected --backend cpu; the GPU computes in "
-                       "float");
+      throw InputError(
+          "--precision double: found it with --backend gpu, expected --backend cpu; the GPU computes in "
+          "float");
     }
     throw InputError("--backend gpu: not available yet; use --backend cpu");
   }
@@ -48,14 +49,16 @@ uint64_t step_count(const RunOptions& options, const Scene& scene) {
   }
   const double steps = std::round(duration / scene.dt);
   if (steps > 1e15) {
-    throw InputError(fmt::format("{}: time: found a run of {:.3g} steps, expected at most 1e15; use a shorter time or "
-                                 "a larger time step",
-                                 scene.file, steps));
+    throw InputError(
+        fmt::format("{}: time: found a run of {:.3g} steps, expected at most 1e15; use a shorter time or "
+                    "a larger time step",
+                    scene.file, steps));
   }
   return static_cast<uint64_t>(steps);
 }
 
-/// The files of a run. All are opened before the first step, so that a folder that is not there is known at once.
+/// The files of a run. All are opened before the first step, so that a folder that is not there is known at
+/// once.
 class Outputs {
  public:
   Outputs(const RunOptions& options, const Scene& scene, const Samples& samples, Precision precision)
@@ -88,8 +91,8 @@ class Outputs {
   std::optional<FrameOutput> frames_;
 };
 
-void simulate(Simulator& simulator, uint64_t steps, Outputs& outputs, Progress& progress, RunStatistics& statistics,
-              double& seconds) {
+void simulate(Simulator& simulator, uint64_t steps, Outputs& outputs, Progress& progress,
+              RunStatistics& statistics, double& seconds) {
   StepReport start;
   start.dt = simulator.dt();
   outputs.add(simulator, start, 0);
@@ -107,8 +110,8 @@ void simulate(Simulator& simulator, uint64_t steps, Outputs& outputs, Progress& 
 int report_end(const RunSummary& summary, uint64_t steps, bool quiet) {
   if (!quiet) fmt::print("{}", to_text(summary));
   if (const auto& failure = summary.simulator.failure()) {
-    fmt::print(stderr, "sluice: invalid run: {} at step {}, time {:g}, particle {} near ({:g}, {:g})\n", failure->reason,
-               failure->step, failure->time, failure->id, failure->x.x, failure->x.y);
+    fmt::print(stderr, "sluice: invalid run: {} at step {}, time {:g}, particle {} near ({:g}, {:g})\n",
+               failure->reason, failure->step, failure->time, failure->id, failure->x.x, failure->x.y);
     return 1;
   }
   if (stop_requested != 0) {

@@ -14,13 +14,13 @@ int scenes_command(bool keys) {
     fmt::print("{}", key_reference());
     return 0;
   }
-  fmt::print("{:<24}{:>8}{:>10}  {:<8}{:>8}{:>10}  {}\n", "scene", "fluid", "boundary", "method", "dt", "duration",
-             "title");
+  fmt::print("{:<24}{:>8}{:>10}  {:<8}{:>8}{:>10}  {}\n", "scene", "fluid", "boundary", "method", "dt",
+             "duration", "title");
   for (const std::string& name : shipped_scenes()) {
     const Scene scene = load_scene(name);
     const Samples samples = sample(scene);
-    fmt::print("{:<24}{:>8}{:>10}  {:<8}{:>8g}{:>10g}  {}\n", name, samples.fluid.size(), samples.boundary.size(),
-               name_of(scene.method), scene.dt, scene.duration, scene.title);
+    fmt::print("{:<24}{:>8}{:>10}  {:<8}{:>8g}{:>10g}  {}\n", name, samples.fluid.size(),
+               samples.boundary.size(), name_of(scene.method), scene.dt, scene.duration, scene.title);
   }
   return 0;
 }

@@ -15,8 +15,9 @@
 namespace sluice {
 namespace {
 
-/// Values at the ends of the colour bar, the same for all frames of a run so that pictures compare: density within 5 %
-/// of rest; pressure up to that under the fluid's height at the start, or, without gravity, the largest of the frame.
+/// Values at the ends of the colour bar, the same for all frames of a run so that pictures compare: density
+/// within 5 % of rest; pressure up to that under the fluid's height at the start, or, without gravity, the
+/// largest of the frame.
 std::pair<double, double> colour_range(const Scene& scene, const Samples& samples, const Snapshot& snapshot) {
   if (scene.colour == Colour::density) return {0.95, 1.05};
   const double g = glm::length(scene.gravity);
@@ -50,7 +51,8 @@ std::vector<std::string> overlay_text(const Scene& scene, const Samples& samples
                                     fmt::format("time {:.2f}", report.time)};
   if (scene.method == PressureMethod::iisph) lines.push_back(fmt::format("iterations {}", report.iterations));
   lines.push_back(fmt::format("particles {} + {}", samples.fluid.size(), samples.boundary.size()));
-  if (overlay == OverlayChoice::all) lines.push_back(fmt::format("{:.2f} ms per step", 1e3 * seconds_per_step));
+  if (overlay == OverlayChoice::all)
+    lines.push_back(fmt::format("{:.2f} ms per step", 1e3 * seconds_per_step));
   return lines;
 }
 

@@ -1,4 +1,5 @@
-// Pictures of a run: decides when a frame is due, what it shows, and hands it to the renderer and the PNG writer.
+// Pictures of a run: decides when a frame is due, what it shows, and hands it to the renderer and the PNG
+// writer.
 #pragma once
 
 #include <filesystem>
@@ -14,8 +15,8 @@ namespace sluice {
 class FrameOutput {
  public:
   /// Creates the folder and the OpenGL context.
-  FrameOutput(const Scene& scene, const Samples& samples, const std::filesystem::path& folder, OverlayChoice overlay,
-              std::optional<int> gl_device);
+  FrameOutput(const Scene& scene, const Samples& samples, const std::filesystem::path& folder,
+              OverlayChoice overlay, std::optional<int> gl_device);
   ~FrameOutput();
 
   /// Draws the frames that are due after this step; frame k is due once time >= k/fps. Step 0 is the start.

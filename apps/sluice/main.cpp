@@ -1,5 +1,5 @@
-// `sluice`: parses the command line and turns errors into messages and exit codes: 0 done, 1 invalid run, 2 bad input
-// or usage, 3 the environment failed.
+// `sluice`: parses the command line and turns errors into messages and exit codes: 0 done, 1 invalid run, 2
+// bad input or usage, 3 the environment failed.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -21,7 +21,8 @@ int fail(int code, const std::string& message) {
 }
 
 int dispatch(int argc, char** argv) {
-  CLI::App app{"SPH fluids in two dimensions: pressure from a state equation against pressure from a linear system."};
+  CLI::App app{
+      "SPH fluids in two dimensions: pressure from a state equation against pressure from a linear system."};
   app.require_subcommand(1);
   app.set_version_flag("--version", "sluice " + sluice::version());
   app.footer("Start with: sluice run breaking_dam --frames frames");
@@ -47,7 +48,8 @@ int dispatch(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);
-    return fail(bad_input, fmt::format("{}\nsluice: run `sluice --help` or `sluice run --help`", error.what()));
+    return fail(bad_input,
+                fmt::format("{}\nsluice: run `sluice --help` or `sluice run --help`", error.what()));
   }
   if (run->parsed()) return sluice::run_command(options);
   if (scenes->parsed()) return sluice::scenes_command(keys);

@@ -39,21 +39,24 @@ void add_size(const std::string& text, RunOptions& options) {
   const auto first = std::from_chars(text.data(), end, width);
   const bool crossed = first.ec == std::errc() && first.ptr != end && *first.ptr == 'x';
   const auto second = crossed ? std::from_chars(first.ptr + 1, end, height) : first;
-  if (!crossed || second.ec != std::errc() || second.ptr != end || width < 16 || height < 16 || width > 16384 ||
-      height > 16384) {
-    throw InputError(fmt::format("--size: found \"{}\", expected WIDTHxHEIGHT in pixels, each 16 to 16384, as in "
-                                 "--size 800x600",
-                                 text));
+  if (!crossed || second.ec != std::errc() || second.ptr != end || width < 16 || height < 16 ||
+      width > 16384 || height > 16384) {
+    throw InputError(
+        fmt::format("--size: found \"{}\", expected WIDTHxHEIGHT in pixels, each 16 to 16384, as in "
+                    "--size 800x600",
+                    text));
   }
   options.overrides.push_back(fmt::format("output.size=[{},{}]", width, height));
 }
 
 void add_later_options(CLI::App& app) {
-  for (const char* name : {"--checkpoint", "--checkpoint-every", "--resume", "--record", "--video", "--vtk",
-                           "--shader-dir"}) {
+  for (const char* name :
+       {"--checkpoint", "--checkpoint-every", "--resume", "--record", "--video", "--vtk", "--shader-dir"}) {
     app.add_option_function<std::string>(
            name,
-           [name](const std::string&) { throw InputError(fmt::format("{}: this option is not available yet", name)); },
+           [name](const std::string&) {
+             throw InputError(fmt::format("{}: this option is not available yet", name));
+           },
            "Not available yet")
         ->group("Not available yet");
   }
@@ -61,17 +64,21 @@ void add_later_options(CLI::App& app) {
 
 void add_output_options(CLI::App& app, RunOptions& options) {
   app.add_option("--state", options.state, "Write the last state: id,x,y,vx,vy,density,pressure")
-      ->type_name("FILE.csv")->group("Output");
+      ->type_name("FILE.csv")
+      ->group("Output");
   app.add_option("--series", options.series, "Write one row per step: iterations, density, energies, ...")
-      ->type_name("FILE.csv")->group("Output");
+      ->type_name("FILE.csv")
+      ->group("Output");
   app.add_option("--summary", options.summary, "Write counts, means, timings and settings")
-      ->type_name("FILE.json")->group("Output");
+      ->type_name("FILE.json")
+      ->group("Output");
   app.add_flag("--quiet", options.quiet, "No progress, no table at the end")->group("Output");
 }
 
 void add_picture_options(CLI::App& app, RunOptions& options) {
   app.add_option("--frames", options.frames, "Write pictures frame_000000.png, ... into this folder")
-      ->type_name("DIR")->group("Pictures");
+      ->type_name("DIR")
+      ->group("Pictures");
   app.add_option_function<double>(
          "--fps",
          [&](double fps) {
@@ -81,31 +88,40 @@ void add_picture_options(CLI::App& app, RunOptions& options) {
            options.overrides.push_back(fmt::format("output.fps={:.17g}", fps));
          },
          "Pictures per simulated second; overrides output.fps")
-      ->type_name("F")->group("Pictures");
+      ->type_name("F")
+      ->group("Pictures");
   app.add_option_function<std::string>(
          "--size", [&](const std::string& text) { add_size(text, options); },
          "Picture size in pixels; overrides output.size")
-      ->type_name("WxH")->group("Pictures");
+      ->type_name("WxH")
+      ->group("Pictures");
   app.add_option_function<std::string>(
          "--colour", [&](const std::string& name) { options.overrides.push_back("output.colour=" + name); },
          "Colour particles by speed, density or pressure; overrides output.colour")
-      ->type_name("WHICH")->group("Pictures");
+      ->type_name("WHICH")
+      ->group("Pictures");
   add_choice<OverlayChoice>(
       app, "--overlay", options.overlay,
       {{"none", OverlayChoice::none}, {"facts", OverlayChoice::facts}, {"all", OverlayChoice::all}},
       "Text on the pictures: none, facts (default), all (with ms per step)")
       ->group("Pictures");
   app.add_option("--gl-device", options.gl_device, "Draw on EGL device N; `sluice info` lists them")
-      ->check(CLI::NonNegativeNumber)->type_name("N")->group("Pictures");
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("N")
+      ->group("Pictures");
 }
 
 }  // namespace
 
 void declare_run_options(CLI::App& app, RunOptions& options) {
   options.threads = cpu::hardware_threads();
-  app.add_option("SCENE", options.scene, "A scene file, or the name of a shipped scene (`sluice scenes`)")->required();
-  app.add_option("--set", options.overrides, "Change a key of the scene, as in --set pressure.method=ssph; repeatable")
-      ->type_name("KEY=VALUE")->allow_extra_args(false)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  app.add_option("SCENE", options.scene, "A scene file, or the name of a shipped scene (`sluice scenes`)")
+      ->required();
+  app.add_option("--set", options.overrides,
+                 "Change a key of the scene, as in --set pressure.method=ssph; repeatable")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   add_choice<BackendChoice>(
       app, "--backend", options.backend,
       {{"auto", BackendChoice::automatic}, {"cpu", BackendChoice::cpu}, {"gpu", BackendChoice::gpu}},
@@ -127,9 +143,11 @@ void declare_run_options(CLI::App& app, RunOptions& options) {
                        "Steps to run in place of time.duration")
                     ->type_name("N");
   app.add_option("--time", options.time, "Time to simulate in place of time.duration")
-      ->type_name("T")->excludes(steps);
+      ->type_name("T")
+      ->excludes(steps);
   app.add_option("--threads", options.threads, "Threads of the CPU backend; results do not depend on it")
-      ->check(CLI::Range(1, 1024))->type_name("N");
+      ->check(CLI::Range(1, 1024))
+      ->type_name("N");
   add_output_options(app, options);
   add_picture_options(app, options);
   add_later_options(app);

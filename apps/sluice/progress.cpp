@@ -25,8 +25,8 @@ void Progress::show(const StepReport& report) {
   drawn_ = true;
   const double elapsed = std::chrono::duration<double>(now - start_).count();
   const double done = static_cast<double>(report.step) / static_cast<double>(steps_);
-  fmt::print(stderr, "\r{:3.0f} %  t {:.4g}/{:.4g}  {:.4g} steps/s  dt {:.3g}  ", 100 * done, report.time, duration_,
-             static_cast<double>(report.step) / elapsed, report.dt);
+  fmt::print(stderr, "\r{:3.0f} %  t {:.4g}/{:.4g}  {:.4g} steps/s  dt {:.3g}  ", 100 * done, report.time,
+             duration_, static_cast<double>(report.step) / elapsed, report.dt);
   if (report.iterations > 0) {
     fmt::print(stderr, "iterations {}{}  ", report.iterations, report.converged ? "" : " (not converged)");
   }

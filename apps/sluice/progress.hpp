@@ -1,4 +1,5 @@
-// The progress line on a terminal: percent, simulated time, steps per second, dt, iterations, compression, time left.
+// The progress line on a terminal: percent, simulated time, steps per second, dt, iterations, compression,
+// time left.
 #pragma once
 
 #include <chrono>

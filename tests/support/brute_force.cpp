@@ -7,8 +7,14 @@
 namespace sluice::test {
 
 BruteForce::BruteForce(const Scene& scene, const Samples& samples)
-    : x(samples.fluid), scene_(scene), boundary_(samples.boundary), h_(scene.spacing), H_(scene.smoothing * h_),
-      m_(scene.rest_density * h_ * h_), rho0_(scene.rest_density), dt_(scene.dt) {
+    : x(samples.fluid),
+      scene_(scene),
+      boundary_(samples.boundary),
+      h_(scene.spacing),
+      H_(scene.smoothing * h_),
+      m_(scene.rest_density * h_ * h_),
+      rho0_(scene.rest_density),
+      dt_(scene.dt) {
   const size_t n = x.size();
   for (size_t i = 0; i < n; ++i) {
     v.push_back(start_velocity(scene.fluid[samples.fluid_shape[i]], h_, x[i]));
@@ -62,7 +68,8 @@ void BruteForce::compute_non_pressure() {
     const auto term = [&](Vec2 v_ij, Vec2 x_ij, Vec2 gradient) {
       return glm::dot(v_ij, x_ij) / (glm::dot(x_ij, x_ij) + 0.01 * H_ * H_) * gradient;
     };
-    for (const auto& j : fluid_neighbours_[i]) a_n[i] += 2 * nu * m_ / rho[j.j] * term(v[i] - v[j.j], j.x_ij, j.dW);
+    for (const auto& j : fluid_neighbours_[i])
+      a_n[i] += 2 * nu * m_ / rho[j.j] * term(v[i] - v[j.j], j.x_ij, j.dW);
     for (const auto& b : boundary_neighbours_[i]) a_n[i] += 2 * nu * m_ / rho[i] * term(v[i], b.x_ij, b.dW);
     v_star[i] = v[i] + dt_ * a_n[i];
   }
@@ -132,7 +139,8 @@ void BruteForce::step() {
   if (scene_.method == PressureMethod::iisph) {
     solve();
   } else {
-    for (uint32_t i = 0; i < x.size(); ++i) p[i] = std::max(scene_.ssph->stiffness * (rho[i] / rho0_ - 1), 0.0);
+    for (uint32_t i = 0; i < x.size(); ++i)
+      p[i] = std::max(scene_.ssph->stiffness * (rho[i] / rho0_ - 1), 0.0);
   }
   compute_pressure_acceleration();
   for (uint32_t i = 0; i < x.size(); ++i) {

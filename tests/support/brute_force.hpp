@@ -1,5 +1,6 @@
-// One step written straight from the equations of docs/model.md: all pairs, plain double, no grid, no list layout, no
-// sharing of code with the solver beyond the scene. What the backends compute is checked against this.
+// One step written straight from the equations of docs/model.md: all pairs, plain double, no grid, no list
+// layout, no sharing of code with the solver beyond the scene. What the backends compute is checked against
+// this.
 #pragma once
 
 #include <vector>
@@ -10,8 +11,8 @@
 namespace sluice::test {
 
 struct BruteForce {
-  std::vector<Vec2> x, v;          ///< state, advanced by step()
-  std::vector<double> p;           ///< pressure, the warm start of the next step
+  std::vector<Vec2> x, v;  ///< state, advanced by step()
+  std::vector<double> p;   ///< pressure, the warm start of the next step
   std::vector<double> rho, A_ii, s;
   std::vector<Vec2> a_n, v_star, a_p;
   uint32_t iterations = 0;

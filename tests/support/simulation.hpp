@@ -20,13 +20,16 @@ struct Simulation {
   std::unique_ptr<Simulator> simulator;
 
   explicit Simulation(Scene scene_to_run, Precision precision = Precision::double_, int threads = 1)
-      : scene(std::move(scene_to_run)), samples(sample(scene)), backend(cpu::make_backend(precision, threads)),
+      : scene(std::move(scene_to_run)),
+        samples(sample(scene)),
+        backend(cpu::make_backend(precision, threads)),
         simulator(std::make_unique<Simulator>(scene, samples, *backend)) {}
 
   /// Runs `steps` steps and returns the reports.
   std::vector<StepReport> run(uint64_t steps) {
     std::vector<StepReport> reports;
-    for (uint64_t step = 0; step < steps && !simulator->failure(); ++step) reports.push_back(simulator->step());
+    for (uint64_t step = 0; step < steps && !simulator->failure(); ++step)
+      reports.push_back(simulator->step());
     return reports;
   }
 };
