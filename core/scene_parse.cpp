@@ -1,4 +1,5 @@
 // TOML text to SceneValue. The one place that includes toml++.
+#include "core/scene_scan.hpp"
 #include "core/scene_tree.hpp"
 
 // The parser reports bad text as an error, but before some of these reports it asserts that they aren't
@@ -20,9 +21,6 @@
 
 namespace sluice {
 namespace {
-
-// A scene needs three. The parser itself recurses without bound over a.a.a.a..., and so does the destructor.
-constexpr int max_parts_of_key = 16;
 
 using Locate = std::function<std::string(const toml::source_position&)>;
 
@@ -65,70 +63,14 @@ SceneValue convert(const toml::node& node, const Origin& origin) {
   return value;
 }
 
-/// Walks over the text, strings and comments skipped, and refuses a key with too many dots.
-void refuse_deep_keys(std::string_view text, const Locate& locate) {
-  toml::source_position at{1, 1};
-  int dots = 0;
-  std::string_view quote;  // the quotes that end the string we are in
-  bool comment = false;
-  for (size_t i = 0; i < text.size(); ++i) {
-    char c = text[i];
-    std::string_view rest = text.substr(i);
-    size_t length = 1;
-    if (comment) {
-      comment = c != '\n';
-    } else if (!quote.empty()) {
-      if (c == '\\' && quote.front() == '"') {
-        length = std::min<size_t>(2, rest.size());
-      } else if (rest.starts_with(quote) || (quote.size() == 1 && c == '\n')) {
-        length = c == '\n' ? 1 : quote.size();
-        quote = {};
-      }
-    } else if (c == '"' || c == '\'') {
-      quote = rest.substr(0, rest.starts_with("\"\"\"") || rest.starts_with("'''") ? 3 : 1);
-      length = quote.size();
-    } else if (c == '#') {
-      comment = true;
-    } else if (c == '.' && ++dots >= max_parts_of_key) {
-      throw InputError(fmt::format("{}: found a key of more than {} parts, expected at most {}", locate(at),
-                                   max_parts_of_key, max_parts_of_key));
-    } else if (std::string_view("\n=,{}[]").find(c) != std::string_view::npos) {
-      dots = 0;
-    }
-    for (char passed : text.substr(i, length)) {
-      if (passed == '\n')
-        ++at.line, at.column = 1;
-      else if ((static_cast<unsigned char>(passed) & 0xC0) != 0x80)
-        ++at.column;
-    }
-    i += length - 1;
-  }
-}
-
-bool is_utf8(std::string_view text) {
-  for (size_t i = 0; i < text.size();) {
-    auto byte = [&](size_t k) { return k < text.size() ? static_cast<unsigned char>(text[k]) : 0u; };
-    unsigned first = byte(i);
-    size_t more = first < 0x80 ? 0 : first >= 0xC2 && first < 0xE0 ? 1 : (first & 0xF0) == 0xE0 ? 2 : 3;
-    if (more == 3 && (first < 0xF0 || first > 0xF4)) return false;
-    for (size_t k = 1; k <= more; ++k)
-      if ((byte(i + k) & 0xC0) != 0x80) return false;
-    unsigned second = byte(i + 1);
-    if ((first == 0xE0 && second < 0xA0) || (first == 0xED && second > 0x9F) ||
-        (first == 0xF0 && second < 0x90) || (first == 0xF4 && second > 0x8F))
-      return false;
-    i += 1 + more;
-  }
-  return true;
-}
-
 }  // namespace
 
 SceneValue parse_toml(std::string_view text, const std::string& file) {
   Locate locate = [&](const toml::source_position& at) {
     return fmt::format("{}:{}:{}", file, std::max(at.line, 1u), std::max(at.column, 1u));
   };
-  refuse_deep_keys(text, locate);
+  if (auto problem = scan_toml(text))
+    throw InputError(fmt::format("{}: {}", locate({problem->line, problem->column}), problem->message));
   try {
     SceneValue root = convert(toml::parse(text), {locate, 0});
     root.where = locate({1, 1});
@@ -142,12 +84,12 @@ SceneValue parse_override_value(std::string_view text, const std::string& key, u
   std::string where = "--set " + key;
   Locate locate = [&](const toml::source_position&) { return where; };
   std::string line = fmt::format("value = {}", text);
-  try {
-    refuse_deep_keys(line, locate);
-    SceneValue root = convert(toml::parse(line), {locate, number});
-    if (root.members.size() == 1) return std::move(root.members.front().value);
-  } catch (const toml::parse_error&) {  // a bare string, then
-  } catch (const InputError&) {         // as well
+  if (!scan_toml(line)) {
+    try {
+      SceneValue root = convert(toml::parse(line), {locate, number});
+      if (root.members.size() == 1) return std::move(root.members.front().value);
+    } catch (const toml::parse_error&) {  // a bare string, then
+    }
   }
   if (!is_utf8(text))
     throw InputError(one_line(where + ": found text that is not UTF-8, expected KEY=VALUE in UTF-8"));

@@ -396,11 +396,37 @@ TEST(SceneRefusals, DeepNestingIsRefusedWithoutRecursingIntoIt) {
   EXPECT_EQ(refusal_of("x = 1.5\n[" + dotted + "]"), "t.toml:2:33" + expected);
   EXPECT_EQ(refusal_of("x = { " + dotted + " = 1 }"), "t.toml:1:38" + expected);
   EXPECT_EQ(refusal_of(quoted + " = 1"), "t.toml:1:95" + expected);
+  EXPECT_EQ(refusal_of("x = [\"\"\"a\"\"\"\", { " + dotted + " = 1 }]"), "t.toml:1:49" + expected);
   EXPECT_NE(refusal_of("x = " + brackets).find("exceeded maximum nested value depth"), std::string::npos);
   std::string inline_tables;
   for (size_t i = 0; i < deep; ++i) inline_tables += "{a=";
   EXPECT_NE(refusal_of("x = " + inline_tables).find("exceeded maximum nested value depth"),
             std::string::npos);
+}
+
+// Outside of strings and comments TOML is ASCII; the parser has undefined behaviour for some other
+// characters.
+TEST(SceneRefusals, CharactersBeyondAscii) {
+  const std::string outside =
+      "found a character beyond ASCII, expected such characters in strings and comments only";
+  const std::string escaped =
+      "found a character beyond ASCII after a backslash, expected it as \\uXXXX there";
+  expect_refusals({
+      {4, "spacing = 8 é", "t.toml:4:13: " + outside},
+      {4, "größe = 8", "t.toml:4:3: " + outside},
+      {4, "spacing = 8\u00a0", "t.toml:4:12: " + outside},
+      {2, "title = \"äöü\" ß", "t.toml:2:15: " + outside},
+      {2, "title = \"\"\"a\"\"\"\" é", "t.toml:2:18: " + outside},
+      {2, "title = '''a''''' é", "t.toml:2:19: " + outside},
+      {2, "title = \"\\é\"", "t.toml:2:11: " + escaped},
+      {2, "title = \"\"\"a \\\n  é\"\"\"", "t.toml:3:3: " + escaped},
+  });
+  EXPECT_EQ(refusal_of("\xEF\xBB\xBF[scene]\ntitle = 3"),
+            "t.toml:2:9: scene.title: found 3, expected a string");
+  EXPECT_EQ(refusal_of("\xEF\xBB\xBF[scene]é"), "t.toml:1:8: " + outside);
+  EXPECT_EQ(refusal_of(scene_with(2, "title = \"\"\"é \\n é \\\n  e é\"\"\" # é")), "no refusal");
+  EXPECT_EQ(parse_scene(scene_with(2, "title = 'Dammbruch, größer: h² \xF0\x9F\x8C\x8A'"), "t.toml").title,
+            "Dammbruch, größer: h² \xF0\x9F\x8C\x8A");
 }
 
 TEST(SceneRefusals, DotsInStringsAndCommentsAreNoDeepKeys) {

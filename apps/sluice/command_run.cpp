@@ -132,8 +132,8 @@ int run_command(const RunOptions& options) {
 
   std::signal(SIGINT, request_stop);
   std::signal(SIGTERM, request_stop);
+  Simulator simulator(scene, samples, *backend);  // may refuse the scene: then nothing is written
   Outputs outputs(options, scene, samples, options.precision);
-  Simulator simulator(scene, samples, *backend);
   RunStatistics statistics;
   RunSummary summary{scene, samples, *backend, simulator, statistics};
   {

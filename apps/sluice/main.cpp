@@ -23,7 +23,7 @@ int fail(int code, const std::string& message) {
 int dispatch(int argc, char** argv) {
   CLI::App app{
       "SPH fluids in two dimensions: pressure from a state equation against pressure from a linear system."};
-  app.require_subcommand(1);
+  app.require_subcommand(0, 1);  // none is refused below, so that an unknown one is named
   app.set_version_flag("--version", "sluice " + sluice::version());
   app.footer("Start with: sluice run breaking_dam --frames frames");
 
@@ -50,6 +50,9 @@ int dispatch(int argc, char** argv) {
     if (error.get_exit_code() == 0) return app.exit(error);
     return fail(bad_input,
                 fmt::format("{}\nsluice: run `sluice --help` or `sluice run --help`", error.what()));
+  }
+  if (app.get_subcommands().empty()) {
+    return fail(bad_input, "found no subcommand, expected run, scenes or info\nsluice: run `sluice --help`");
   }
   if (run->parsed()) return sluice::run_command(options);
   if (scenes->parsed()) return sluice::scenes_command(keys);

@@ -106,7 +106,7 @@ void add_picture_options(CLI::App& app, RunOptions& options) {
       "Text on the pictures: none, facts (default), all (with ms per step)")
       ->group("Pictures");
   app.add_option("--gl-device", options.gl_device, "Draw on EGL device N; `sluice info` lists them")
-      ->check(CLI::NonNegativeNumber)
+      ->check(CLI::Range(0, 255))
       ->type_name("N")
       ->group("Pictures");
 }

@@ -1,0 +1,119 @@
+#include "bench/cases.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "core/scene_file.hpp"
+#include "core/text.hpp"
+#include "cpu/backend.hpp"
+
+namespace sluice::bench {
+namespace {
+
+constexpr int steps_before = 10;
+
+/// Spacing at which the dam, 240 high and 200 - 3h wide, has `size` particles.
+double spacing_for(uint32_t size) {
+  const double n = size, height = 240, width = 200;
+  return (-3 * height + std::sqrt(9 * height * height + 4 * n * height * width)) / (2 * n);
+}
+
+}  // namespace
+
+std::string size_text(uint32_t size) {
+  if (size >= 1'000'000) return fmt::format("{}M", size / 1'000'000);
+  return fmt::format("{}k", size / 1000);
+}
+
+std::string CaseKey::name() const {
+  return fmt::format("{}/{}/{}/{}", name_of(method), size_text(size), name_of(precision), threads);
+}
+
+Scene make_scene(const CaseKey& key) {
+  const double h = spacing_for(key.size), dt = (key.method == PressureMethod::iisph ? 0.005 : 0.001) * h;
+  const std::vector<std::string> overrides = {
+      fmt::format("particles.spacing={:.4}", h), fmt::format("time.dt={:.4}", dt), "viscosity.coefficient=2",
+      "fluid.jitter=0.1", fmt::format("pressure.method={}", name_of(key.method)),
+      fmt::format("pressure.iisph.min_iterations={}", sweeps_per_step),
+      fmt::format("pressure.iisph.max_iterations={}", sweeps_per_step),
+      // What `source` does to p is then the same however often it runs.
+      "pressure.iisph.warm_start=1"};
+  return load_scene("breaking_dam", overrides);
+}
+
+Case::Case(const CaseKey& key)
+    : key_(key),
+      scene_(make_scene(key)),
+      samples_(sample(scene_)),
+      params_(make_params(scene_, static_cast<uint32_t>(samples_.fluid.size()),
+                          static_cast<uint32_t>(samples_.boundary.size()))),
+      backend_(cpu::make_backend(key.precision, key.threads)),
+      simulator_(std::make_unique<Simulator>(scene_, samples_, *backend_)) {
+  for (int i = 0; i < steps_before; ++i) step();
+}
+
+StepReport Case::step() {
+  if (frozen_) throw std::logic_error("a frozen case does not step");
+  const StepReport report = simulator_->step();
+  if (simulator_->failure()) throw std::runtime_error(key_.name() + ": " + simulator_->failure()->reason);
+  return report;
+}
+
+void Case::freeze() {
+  frozen_ = true;
+  backend_->swap(Field::id, Field::id_in);
+  backend_->swap(Field::p, Field::p_in);
+  backend_->swap(Field::rho, Field::rho_in);
+  run(plan().search);
+  uint32_t needed = 0;
+  backend_->download(Field::list_needed, std::span(&needed, 1));
+  if (needed > first_list_size(n(), scene_.smoothing)) {
+    throw std::runtime_error(key_.name() +
+                             ": the neighbour list is too short, its stages would be timed wrongly");
+  }
+  run(plan().forces);
+  run(plan().sweep);
+  run({Stage::pressure_acceleration});
+}
+
+void Case::run(const std::vector<Stage>& stages) {
+  for (const Stage stage : stages) backend_->run(stage);
+}
+
+void Case::preserving(const std::vector<Stage>& stages, const std::function<void()>& f) {
+  struct Saved {
+    Field field;
+    std::vector<double> values;
+  };
+  std::vector<Saved> saved;
+  for (uint32_t i = 0; i < field_count; ++i) {
+    const Field field = static_cast<Field>(i);
+    const FieldInfo& facts = info(field);
+    bool written = false;
+    for (const Stage stage : stages) written = written || writes_of(stage, plan().needs).has(field);
+    if (!written || facts.length != Length::fluid || facts.type == Type::uint || facts.type == Type::uvec2)
+      continue;
+    const size_t components = element_bytes(facts.type, sizeof(double)) / sizeof(double);
+    saved.push_back({field, std::vector<double>(n() * components)});
+    backend_->download(field, saved.back().values);
+  }
+  f();
+  for (const Saved& before : saved) backend_->upload(before.field, before.values);
+}
+
+Case& CaseStore::stepping(const CaseKey& key) {
+  if (last_ && last_->key() == key && !last_->frozen()) return *last_;
+  last_.reset();  // before the next is made: two large cases need not fit into memory
+  last_ = std::make_unique<Case>(key);
+  return *last_;
+}
+
+Case& CaseStore::frozen(const CaseKey& key) {
+  if (last_ && last_->key() == key && last_->frozen()) return *last_;
+  stepping(key).freeze();
+  return *last_;
+}
+
+}  // namespace sluice::bench

@@ -1,0 +1,90 @@
+// sluice_bench [--million] [--markdown FILE] [Google Benchmark's options]
+// Times every stage, sweeps and whole steps on the CPU. --million adds a million particles (minutes more),
+// --markdown writes the tables of docs/benchmarks/cpu.md.
+#include <benchmark/benchmark.h>
+#include <fmt/format.h>
+
+#include <cstring>
+#include <exception>
+#include <fstream>
+
+#include "bench/benchmarks.hpp"
+#include "bench/report.hpp"
+
+namespace sluice::bench {
+namespace {
+
+struct Options {
+  bool million = false;
+  std::string markdown;
+  std::vector<char*> rest;  ///< for Google Benchmark
+};
+
+Options parse(int argc, char** argv) {
+  static char min_time[] = "--benchmark_min_time=0.05";
+  Options options;
+  options.rest = {argv[0], min_time};  // before the user's, which win
+  for (int i = 1; i < argc; ++i) {
+    if (std::strcmp(argv[i], "--million") == 0)
+      options.million = true;
+    else if (std::strcmp(argv[i], "--markdown") == 0 && i + 1 < argc)
+      options.markdown = argv[++i];
+    else
+      options.rest.push_back(argv[i]);
+  }
+  return options;
+}
+
+void add_benchmarks(bool million) {
+  for (const int threads : {1, 2}) add_copy_benchmark(threads);
+  const auto store = std::make_shared<CaseStore>();
+  std::vector<uint32_t> sizes = {1'000, 10'000, 100'000};
+  if (million) sizes.push_back(1'000'000);
+  for (const uint32_t size : sizes) {
+    for (const PressureMethod method : {PressureMethod::iisph, PressureMethod::ssph}) {
+      for (const Precision precision : {Precision::single_, Precision::double_}) {
+        for (const int threads : {1, 2}) {
+          const CaseKey key{method, size, precision, threads};
+          add_step_benchmarks(key, store);
+          add_stage_benchmarks(key, store);
+        }
+      }
+    }
+  }
+}
+
+int run(int argc, char** argv) {
+  Options options = parse(argc, argv);
+  int rest = static_cast<int>(options.rest.size());
+  benchmark::Initialize(&rest, options.rest.data());
+  if (benchmark::ReportUnrecognizedArguments(rest, options.rest.data())) return 2;
+  add_benchmarks(options.million);
+  Collector collector;
+  benchmark::RunSpecifiedBenchmarks(&collector);
+  benchmark::Shutdown();
+  if (collector.failed()) {
+    fmt::print(stderr, "sluice_bench: a benchmark failed, see above\n");
+    return 1;
+  }
+  if (!options.markdown.empty()) {
+    std::ofstream file(options.markdown);
+    file << collector.markdown();
+    if (!file.flush()) {
+      fmt::print(stderr, "sluice_bench: cannot write {}\n", options.markdown);
+      return 1;
+    }
+  }
+  return 0;
+}
+
+}  // namespace
+}  // namespace sluice::bench
+
+int main(int argc, char** argv) {
+  try {
+    return sluice::bench::run(argc, argv);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "sluice_bench: {}\n", error.what());
+    return 1;
+  }
+}

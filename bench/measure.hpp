@@ -1,0 +1,28 @@
+// How every benchmark is registered and what it counts.
+#pragma once
+
+#include <benchmark/benchmark.h>
+
+#include <string>
+
+#include "bench/cases.hpp"
+
+namespace sluice::bench {
+
+/// Registers `f` as KEY/what, timed by the wall clock.
+template <class F>
+benchmark::internal::Benchmark* add(const CaseKey& key, const std::string& what, F&& f) {
+  return benchmark::RegisterBenchmark((key.name() + "/" + what).c_str(), std::forward<F>(f))
+      ->UseRealTime()
+      ->Unit(benchmark::kMicrosecond);
+}
+
+/// Particles per second, and nanoseconds per particle in the counter "ns".
+inline void count_particles(benchmark::State& state, uint32_t n) {
+  using benchmark::Counter;
+  state.SetItemsProcessed(state.iterations() * n);
+  state.counters["ns"] =
+      Counter(1e-9 * n, static_cast<Counter::Flags>(Counter::kIsIterationInvariantRate | Counter::kInvert));
+}
+
+}  // namespace sluice::bench

@@ -1,0 +1,131 @@
+#include "bench/report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "bench/cases.hpp"
+#include "core/memory.hpp"
+#include "core/text.hpp"
+#include "cpu/backend.hpp"
+
+namespace sluice::bench {
+namespace {
+
+constexpr std::array<uint32_t, 4> sizes = {1'000, 10'000, 100'000, 1'000'000};
+constexpr std::array<Precision, 2> precisions = {Precision::single_, Precision::double_};
+const std::array<std::string, 5> grid_parts = {"grid_count", "grid_scan", "grid_scatter", "grid_order",
+                                               "reorder"};
+
+std::string text(double value) {
+  if (std::isnan(value)) return "-";
+  if (value >= 1000) return fmt::format("{:.0f}", value);
+  return fmt::format("{:#.3g}", value);
+}
+
+std::string row(const std::string& title, const std::vector<std::string>& cells) {
+  return fmt::format("| {} | {} |\n", title, fmt::join(cells, " | "));
+}
+
+std::string head(const std::string& title) {
+  std::vector<std::string> names;
+  for (const uint32_t size : sizes) names.push_back(size_text(size));
+  return row(title, names) + row("---", std::vector<std::string>(sizes.size(), "---:"));
+}
+
+/// One cell per size, with what `cell` says of 1 and of 2 threads.
+template <class Cell>
+std::string row_of(const std::string& title, Cell&& cell) {
+  std::vector<std::string> cells;
+  for (const uint32_t size : sizes) cells.push_back(text(cell(size, 1)) + " / " + text(cell(size, 2)));
+  return row(title, cells);
+}
+
+}  // namespace
+
+void Collector::ReportRuns(const std::vector<Run>& runs) {
+  ConsoleReporter::ReportRuns(runs);
+  for (const Run& run : runs) {
+    if (run.error_occurred) failed_ = true;
+    if (run.run_type != Run::RT_Iteration || run.error_occurred) continue;
+    repetitions_ = std::max(repetitions_, static_cast<std::size_t>(run.repetitions));
+    std::map<std::string, double> counters = {{"seconds", run.GetAdjustedRealTime() * 1e-6}};
+    for (const auto& [name, counter] : run.counters) counters[name] = counter.value;
+    auto& best = best_[run.run_name.function_name];
+    if (best.empty() || counters["seconds"] < best["seconds"]) best = counters;
+  }
+}
+
+double Collector::number(const std::string& name, const std::string& counter) const {
+  const auto found = best_.find(name);
+  if (found == best_.end() || !found->second.contains(counter))
+    return std::numeric_limits<double>::quiet_NaN();
+  return found->second.at(counter);
+}
+
+std::string Collector::markdown() const {
+  using enum PressureMethod;
+  const auto ns = [&](PressureMethod method, Precision precision, const std::string& what) {
+    return [=, this](uint32_t size, int threads) {
+      return number(CaseKey{method, size, precision, threads}.name() + "/" + what, "ns");
+    };
+  };
+  const auto yardstick = [&](uint32_t size) { return ns(iisph, Precision::single_, "yardstick")(size, 1); };
+
+  std::string page = fmt::format(
+      "- processor: {}, {} hardware threads\n- compiler: {}, `{}`\n- copy bandwidth: {:.1f} GB/s with one "
+      "thread, "
+      "{:.1f} GB/s with two\n- the fastest of {} repetitions stands in the tables\n",
+      cpu::processor_name(), cpu::hardware_threads(), SLUICE_BENCH_COMPILER, SLUICE_BENCH_FLAGS,
+      number("copy/1", "bytes_per_second") * 1e-9, number("copy/2", "bytes_per_second") * 1e-9, repetitions_);
+  for (const Precision precision : precisions) {
+    page += fmt::format("- memory in {}: {:.0f} bytes per fluid particle\n", name_of(precision),
+                        memory_need(make_scene({iisph, sizes[0], precision, 1}), precision).per_particle);
+  }
+
+  page += "\n### Sweeps, in millions of particles per second, 1 / 2 threads\n\n" + head("");
+  page += "| yardstick, float, 1 thread |";
+  for (const uint32_t size : sizes) page += fmt::format(" {} |", text(1e3 / yardstick(size)));
+  page += '\n';
+  for (const Precision precision : precisions) {
+    const auto sweep = ns(iisph, precision, "sweep");
+    const std::string name(name_of(precision));
+    page += row_of(name, [&](uint32_t size, int threads) { return 1e3 / sweep(size, threads); });
+    page += row_of(name + ", times the yardstick",
+                   [&](uint32_t size, int threads) { return yardstick(size) / sweep(size, threads); });
+  }
+
+  page += fmt::format("\n### Whole steps per second (IISPH: {} sweeps), 1 / 2 threads\n\n", sweeps_per_step) +
+          head("");
+  for (const PressureMethod method : {iisph, ssph}) {
+    for (const Precision precision : precisions) {
+      page += row_of(
+          fmt::format("{}, {}", title_of(method), name_of(precision)), [&](uint32_t size, int threads) {
+            return 1 / number(CaseKey{method, size, precision, threads}.name() + "/step", "seconds");
+          });
+    }
+  }
+
+  for (const Precision precision : precisions) {
+    page +=
+        fmt::format("\n### Stages in {}, nanoseconds per particle, 1 / 2 threads\n\n", name_of(precision));
+    page += head("stage");
+    for (const std::string& part : grid_parts) {
+      page += row_of(part, [&](uint32_t size, int threads) {
+        return number(CaseKey{iisph, size, precision, threads}.name() + "/grid", part);
+      });
+    }
+    for (const StageInfo& stage : stage_table()) {
+      const std::string name(stage.name);
+      const bool is_grid = std::find(grid_parts.begin(), grid_parts.end(), name) != grid_parts.end();
+      if (!is_grid && name != "relax") {
+        page += row_of(name, ns(name == "state_equation" ? ssph : iisph, precision, name));
+      }
+    }
+  }
+  return page;
+}
+
+}  // namespace sluice::bench

@@ -1,0 +1,29 @@
+// The measurements as Markdown tables.
+#pragma once
+
+#include <benchmark/benchmark.h>
+
+#include <map>
+#include <string>
+
+namespace sluice::bench {
+
+/// Prints what runs as usual, and keeps the fastest repetition of each.
+class Collector : public benchmark::ConsoleReporter {
+ public:
+  void ReportRuns(const std::vector<Run>& runs) override;
+
+  bool failed() const { return failed_; }
+  /// Machine, copy bandwidth, sweeps, steps and stages; what was not measured is left out or stands as a
+  /// dash.
+  std::string markdown() const;
+
+ private:
+  double number(const std::string& name, const std::string& counter) const;
+
+  std::map<std::string, std::map<std::string, double>> best_;  ///< counters by the benchmark's name
+  std::size_t repetitions_ = 1;
+  bool failed_ = false;
+};
+
+}  // namespace sluice::bench

@@ -1,0 +1,57 @@
+// Whole steps, sweeps, and the yardstick beside them.
+#include <fmt/format.h>
+
+#include "bench/benchmarks.hpp"
+#include "bench/measure.hpp"
+#include "bench/yardstick.hpp"
+
+namespace sluice::bench {
+namespace {
+
+constexpr double yardstick_tolerance = 1e-4;
+
+void time_step(benchmark::State& state, Case& subject) {
+  for (auto _ : state) subject.step();
+  count_particles(state, subject.n());
+}
+
+void time_sweep(benchmark::State& state, Case& subject) {
+  const std::vector<Stage>& sweep = subject.plan().sweep;
+  subject.preserving(sweep, [&] {
+    for (auto _ : state) subject.run(sweep);
+  });
+  count_particles(state, subject.n());
+}
+
+/// Refuses to time a yardstick that computes something else than the backend.
+void time_yardstick(benchmark::State& state, Case& subject) {
+  Yardstick yardstick(subject.backend(), subject.params(), subject.samples());
+  const std::vector<Stage>& sweep = subject.plan().sweep;
+  subject.preserving(sweep, [&] {
+    subject.run(sweep);
+    yardstick.sweep();
+    const double difference = yardstick.difference(subject.backend());
+    if (!(difference <= yardstick_tolerance)) {
+      state.SkipWithError(
+          fmt::format("the yardstick's pressures differ from the backend's by {:.2g}", difference).c_str());
+    }
+  });
+  for (auto _ : state) benchmark::DoNotOptimize(yardstick.sweep());
+  count_particles(state, subject.n());
+}
+
+}  // namespace
+
+void add_step_benchmarks(const CaseKey& key, const std::shared_ptr<CaseStore>& store) {
+  // A fixed number: a step moves the fluid on, so that more of them are not the same ones again.
+  add(key, "step", [=](benchmark::State& state) {
+    time_step(state, store->stepping(key));
+  })->Iterations(key.size <= 10'000 ? 50 : 4);
+  if (key.method != PressureMethod::iisph) return;
+  add(key, "sweep", [=](benchmark::State& state) { time_sweep(state, store->frozen(key)); });
+  if (key.threads == 1 && key.precision == Precision::single_) {
+    add(key, "yardstick", [=](benchmark::State& state) { time_yardstick(state, store->frozen(key)); });
+  }
+}
+
+}  // namespace sluice::bench

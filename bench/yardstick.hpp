@@ -1,0 +1,60 @@
+// The yardstick: one pressure sweep of IISPH as a straightforward programmer would write it. Later speeds are
+// given as multiples of it, so it must NEVER be optimised, nor follow changes of the solver's data layout.
+// What it is: one thread, float; an array of structs in id order, never sorted; fluid and boundary in the
+// same array, told apart by a flag; neighbours found anew in every pass by walking over the 9 cells around a
+// particle through the arrays C and L [Hunkler 2022, algorithms 3 and 4]; a kernel gradient with branches,
+// recomputed for every pair. tests/test_yardstick.cpp checks it against the CPU backend.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/backend.hpp"
+#include "core/params.hpp"
+#include "core/sampling.hpp"
+
+namespace sluice::bench {
+
+class Yardstick {
+ public:
+  /// Takes the pressure system that `backend` holds after a step, or in one once its source is computed.
+  /// Builds C and L: like the solver's search, this is not part of a sweep.
+  Yardstick(const Backend& backend, const Params& params, const Samples& samples);
+
+  /// One sweep: pressure acceleration, operator and update. Returns the mean error |Ap - s|/rho0.
+  float sweep();
+
+  /// Pressure of the fluid in id order.
+  std::vector<double> pressures() const;
+
+  /// Largest difference of the pressures from those of `backend`, relative to the largest of these.
+  double difference(const Backend& backend) const;
+
+ private:
+  struct Particle {
+    float x, y;
+    float a_x, a_y;  ///< pressure acceleration
+    float rho, p, A_ii, s;
+    uint32_t cell;
+    bool is_boundary;
+  };
+  struct Gradient {
+    float x, y;
+  };
+
+  void build_grid();
+  Gradient kernel_gradient(float x, float y, float r) const;
+  template <class F>
+  void for_each_neighbour(const Particle& particle, F&& f) const;
+  void pressure_acceleration(Particle& particle) const;
+  float change_of_density(const Particle& particle) const;
+
+  ParamsOf<float> params_;
+  float H_;
+  uint32_t fluid_;
+  std::vector<Particle> particles_;
+  std::vector<uint32_t> C_, L_;
+};
+
+}  // namespace sluice::bench

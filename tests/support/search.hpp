@@ -1,0 +1,29 @@
+// Positions put through the search stages of the CPU backend, and the neighbours they have by all-pairs
+// distance.
+#pragma once
+
+#include <set>
+#include <vector>
+
+#include "core/scene.hpp"
+#include "cpu/stages.hpp"
+
+namespace sluice::test {
+
+/// A square domain of `cells` support lengths with spacing 1 and H = smoothing, holding no shapes.
+Scene open_scene(double cells, double smoothing = 1);
+
+/// State after grid, reorder and neighbours for these positions, ids in order.
+template <class Real>
+cpu::State<Real> searched(const Scene& scene, const std::vector<Vec2>& positions, int threads = 1,
+                          uint64_t list_entries = 0);
+
+/// Neighbour ids of each particle, by id.
+template <class Real>
+std::vector<std::set<uint32_t>> neighbour_sets(const cpu::State<Real>& state);
+
+/// The same by comparing all pairs in Real arithmetic.
+template <class Real>
+std::vector<std::set<uint32_t>> all_pairs(const Scene& scene, const std::vector<Vec2>& positions);
+
+}  // namespace sluice::test

@@ -1,0 +1,120 @@
+// The stage table, the files and the model agree; a plan has what a scene needs and nothing else.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "core/plan.hpp"
+#include "tests/support/run_program.hpp"
+
+namespace sluice::test {
+namespace {
+
+const std::filesystem::path source(SLUICE_SOURCE_DIR);
+
+std::set<std::string> stage_names() {
+  std::set<std::string> names;
+  for (const StageInfo& stage : stage_table()) names.insert(std::string(stage.name));
+  return names;
+}
+
+TEST(StageTable, RowsStandInTheOrderOfTheirNames) {
+#define STAGE(row) EXPECT_EQ(info(Stage::row).name, #row);
+  SLUICE_STAGES(STAGE)
+#undef STAGE
+  EXPECT_EQ(stage_names().size(), stage_count);
+}
+
+TEST(StageTable, EveryStageHasItsFileAndItsEquation) {
+  const std::string model = read_file(source / "docs" / "model.md");
+  for (const std::string& name : stage_names()) {
+    EXPECT_TRUE(std::filesystem::exists(source / "cpu" / (name + ".cpp"))) << name;
+    EXPECT_NE(model.find("`" + name + "`"), std::string::npos) << name << " has no entry in docs/model.md";
+  }
+}
+
+TEST(StageTable, EveryFileInCpuIsAStageOrTheBackend) {
+  std::set<std::string> known = stage_names();
+  known.insert("backend");
+  for (const auto& entry : std::filesystem::directory_iterator(source / "cpu")) {
+    if (entry.path().extension() != ".cpp") continue;
+    EXPECT_TRUE(known.contains(entry.path().stem().string())) << entry.path();
+  }
+}
+
+std::vector<Needs> all_needs() {
+  std::vector<Needs> all;
+  for (int bits = 0; bits < 8; ++bits) {
+    Needs needs;
+    needs.boundary = bits & 1;
+    needs.laplacian = bits & 2;
+    needs.linear_system = bits & 4;
+    needs.state_equation = !needs.linear_system;
+    all.push_back(needs);
+  }
+  return all;
+}
+
+/// What is there before the first stage of a step.
+bool carried(Field field) {
+  return std::set{Field::id_in, Field::x_in, Field::v_in, Field::p_in, Field::C_boundary, Field::x_boundary}
+      .contains(field);
+}
+
+void expect_written_before_read(const Plan& plan) {
+  FieldSet written;
+  for (const Stage stage : plan.stages()) {
+    for (uint32_t f = 0; f < field_count; ++f) {
+      const Field field = static_cast<Field>(f);
+      if (!reads_of(stage, plan.needs).has(field)) continue;
+      EXPECT_TRUE(written.has(field) || carried(field)) << info(stage).name << " reads " << info(field).name;
+    }
+    written = written | writes_of(stage, plan.needs);
+  }
+}
+
+TEST(Plan, NothingIsReadBeforeItIsWritten) {
+  for (const Needs& needs : all_needs()) {
+    expect_written_before_read(make_plan(needs));
+    expect_written_before_read(make_relax_plan(needs));
+  }
+}
+
+TEST(Plan, HasEachModelExactlyWhenItIsNeeded) {
+  const auto has = [](const Plan& plan, Stage stage) {
+    const auto stages = plan.stages();
+    return std::find(stages.begin(), stages.end(), stage) != stages.end();
+  };
+  for (const Needs& needs : all_needs()) {
+    const Plan plan = make_plan(needs);
+    EXPECT_EQ(has(plan, Stage::boundary), needs.boundary);
+    EXPECT_EQ(has(plan, Stage::viscosity), needs.laplacian);
+    EXPECT_EQ(has(plan, Stage::state_equation), needs.state_equation);
+    for (const Stage stage : {Stage::diagonal, Stage::source, Stage::pressure_operator,
+                              Stage::pressure_update, Stage::residual}) {
+      EXPECT_EQ(has(plan, stage), needs.linear_system) << info(stage).name;
+    }
+    EXPECT_FALSE(has(plan, Stage::relax));
+    EXPECT_EQ(plan.sweep.empty(), !needs.linear_system);
+    EXPECT_TRUE(has(make_relax_plan(needs), Stage::relax));
+  }
+}
+
+TEST(Plan, AllocatesNothingThatNoStageUses) {
+  Needs bare;
+  bare.state_equation = true;
+  const FieldSet fields = make_plan(bare).fields();
+  for (const Field field : {Field::C_boundary, Field::x_boundary, Field::wall_density, Field::wall_gradient,
+                            Field::wall_gradient_squares, Field::wall_viscosity, Field::A_ii, Field::s,
+                            Field::Ap, Field::residual_sums, Field::residual}) {
+    EXPECT_FALSE(fields.has(field)) << info(field).name;
+  }
+  Needs inviscid = bare;
+  inviscid.boundary = true;
+  EXPECT_TRUE(make_plan(inviscid).fields().has(Field::wall_gradient));
+  EXPECT_FALSE(make_plan(inviscid).fields().has(Field::wall_viscosity));
+}
+
+}  // namespace
+}  // namespace sluice::test
