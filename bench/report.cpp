@@ -21,8 +21,7 @@ const std::array<std::string, 5> grid_parts = {"grid_count", "grid_scan", "grid_
 
 std::string text(double value) {
   if (std::isnan(value)) return "-";
-  if (value >= 1000) return fmt::format("{:.0f}", value);
-  return fmt::format("{:#.3g}", value);
+  return fmt::format("{:.{}f}", value, value >= 100 ? 0 : value >= 10 ? 1 : value >= 1 ? 2 : 3);
 }
 
 std::string row(const std::string& title, const std::vector<std::string>& cells) {

@@ -39,14 +39,14 @@ SceneValue convert(const toml::node& node, const Origin& origin) {
   if (const toml::table* table = node.as_table()) {
     for (auto&& [key, child] : *table)
       value.members.push_back(
-          {std::string(key.str()), origin.locate(key.source().begin), convert(child, origin)});
+          {unshield(key.str()), origin.locate(key.source().begin), convert(child, origin)});
     std::ranges::stable_sort(value.members, {}, [](const auto& member) { return member.value.order; });
   } else if (const toml::array* array = node.as_array()) {
     value.kind = Kind::array;
     for (const toml::node& child : *array) value.items.push_back(convert(child, origin));
   } else if (auto text = node.as_string()) {
     value.kind = Kind::text;
-    value.text = text->get();
+    value.text = unshield(text->get());
   } else if (auto integer = node.as_integer()) {
     value.kind = Kind::integer;
     value.integer = integer->get();
@@ -66,17 +66,19 @@ SceneValue convert(const toml::node& node, const Origin& origin) {
 }  // namespace
 
 SceneValue parse_toml(std::string_view text, const std::string& file) {
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // a byte order mark takes no column
   Locate locate = [&](const toml::source_position& at) {
     return fmt::format("{}:{}:{}", file, std::max(at.line, 1u), std::max(at.column, 1u));
   };
   if (auto problem = scan_toml(text))
     throw InputError(fmt::format("{}: {}", locate({problem->line, problem->column}), problem->message));
   try {
-    SceneValue root = convert(toml::parse(text), {locate, 0});
+    SceneValue root = convert(toml::parse(shield(text)), {locate, 0});
     root.where = locate({1, 1});
     return root;
   } catch (const toml::parse_error& error) {
-    throw InputError(one_line(fmt::format("{}: {}", locate(error.source().begin), error.description())));
+    throw InputError(
+        one_line(fmt::format("{}: {}", locate(error.source().begin), unshield(error.description()))));
   }
 }
 
@@ -86,7 +88,7 @@ SceneValue parse_override_value(std::string_view text, const std::string& key, u
   std::string line = fmt::format("value = {}", text);
   if (!scan_toml(line)) {
     try {
-      SceneValue root = convert(toml::parse(line), {locate, number});
+      SceneValue root = convert(toml::parse(shield(line)), {locate, number});
       if (root.members.size() == 1) return std::move(root.members.front().value);
     } catch (const toml::parse_error&) {  // a bare string, then
     }

@@ -381,9 +381,7 @@ TEST_F(SceneFolder, WhatIsNoSceneFileIsRefused) {
   EXPECT_EQ(refusal_of(write("big.toml", std::string(1 << 21, '\n'))),
             folder + "/big.toml: found more than 1048576 bytes, expected a scene file");
   EXPECT_EQ(refusal_of(write("image.toml", std::string("\x89PNG\r\n\x1a\n\0\0", 10))),
-            folder +
-                "/image.toml:1:1: found a character beyond ASCII, expected such characters in strings and "
-                "comments only");
+            folder + "/image.toml:1:1: found bytes that are not UTF-8, expected TOML text");
 }
 
 TEST(SceneFile, AFileThatCannotBeReadIsRefused) {
