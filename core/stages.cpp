@@ -78,7 +78,7 @@ const StageInfo& info(Stage stage) { return stage_table()[static_cast<uint32_t>(
 
 Needs needs_of(const Scene& scene) {
   Needs needs;
-  needs.boundary = scene.boundary_model != BoundaryModel::none;
+  needs.boundary = scene.boundary_model != BoundaryModel::none && !scene.boundary.empty();
   needs.laplacian = scene.viscosity_model == ViscosityModel::laplacian && scene.viscosity > 0;
   needs.state_equation = scene.method == PressureMethod::ssph;
   needs.linear_system = scene.method == PressureMethod::iisph;

@@ -83,13 +83,5 @@ TEST(CliFailedOutputs, AFrameThatCannotBeWritten) {
   for (const std::string& name : names_in(folder / "frames")) EXPECT_TRUE(name.starts_with("frame_")) << name;
 }
 
-TEST(CliFailedOutputs, ADeviceThatIsNotThere) {
-  const TemporaryFolder folder;
-  const std::string message =
-      failure({"--frames", "frames", "--gl-device", "200", "--state", "s.csv"}, folder);
-  EXPECT_TRUE(has(message, "200")) << message;
-  EXPECT_EQ(names_in(folder.path), Words{});
-}
-
 }  // namespace
 }  // namespace sluice::test

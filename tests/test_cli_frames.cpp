@@ -94,16 +94,18 @@ TEST(CliFrames, ColoursDiffer) {
 }
 
 TEST(CliFrames, FactsHaveNoTimingAllHas) {
-  const auto overlay = [](const Words& more) { return frames(with(with(small, {"--steps", "5"}), more)); };
-  const auto none = overlay({"--overlay", "none"}), facts = overlay({"--overlay", "facts"}),
-             all = overlay({"--overlay", "all"});
-  ASSERT_EQ(facts.size(), 6u);
-  for (size_t k = 0; k < facts.size(); ++k) {
-    EXPECT_FALSE(none[k] == facts[k]) << k;
-    EXPECT_FALSE(all[k] == facts[k]) << k;
-  }
-  EXPECT_TRUE(overlay({}) == facts) << "the default, and the same bytes in a second run";
-  EXPECT_TRUE(overlay({"--overlay", "none"}) == none);
+  const Words large{"--size", "400x600", "--steps", "5"};  // room for all lines
+  const auto overlay = [&](const Words& more) { return frames(with(large, more)); };
+};
+const auto none = overlay({"--overlay", "none"}), facts = overlay({"--overlay", "facts"}),
+           all = overlay({"--overlay", "all"});
+ASSERT_EQ(facts.size(), 6u);
+for (size_t k = 0; k < facts.size(); ++k) {
+  EXPECT_FALSE(none[k] == facts[k]) << k;
+  EXPECT_FALSE(all[k] == facts[k]) << k;
+}
+EXPECT_TRUE(overlay({}) == facts) << "the default, and the same bytes in a second run";
+EXPECT_TRUE(overlay({"--overlay", "none"}) == none);
 }
 
 TEST(CliFrames, ShowTheFactsOfTheirStep) {

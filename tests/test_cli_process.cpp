@@ -110,7 +110,8 @@ TEST(CliProcess, ATerminalSeesProgress) {
 
   const std::string ssph = shown_on_terminal({"--steps", "30", "--set", "pressure.method=ssph"});
   EXPECT_TRUE(has(ssph, "dt 0.01  compression ")) << "no iterations where there are none: " << ssph;
-  const std::string capped = shown_on_terminal({"--steps", "3", "--set", "pressure.iisph.max_iterations=2"});
+  const std::string capped = shown_on_terminal(
+      {"--steps", "3", "--set", "pressure.iisph.max_iterations=2", "--set", "pressure.iisph.tolerance=1e-6"});
   EXPECT_TRUE(has(capped, "iterations 2 (not converged)")) << capped;
 }
 

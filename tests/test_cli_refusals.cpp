@@ -41,7 +41,7 @@ void expect_named(const std::string& option, const Words& values) {
 
 TEST(CliRefusals, Counts) {
   expect_named("--steps", {"-1", "1.5", "x", "1e3", "", " 3", "18446744073709551616", "nan"});
-  expect_named("--gl-device", {"-1", "x", "1.5"});
+  expect_named("--gl-device", {"-1", "x", "1.5", "", "200"});
   // --threads twice would be refused anyhow.
   for (const char* value : {"0", "-2", "x", "1.5", "4000000000", "nan", ""}) {
     const ProgramResult result = run_program({"run", "breaking_dam", "--steps", "1", "--threads", value});
@@ -54,6 +54,18 @@ TEST(CliRefusals, Times) {
   expect_named("--time", {"-1", "x", "nan", "inf", "-inf", "1 s", "1e400", ""});
   EXPECT_TRUE(has(refusal({"--time", "1e300"}), "steps"));
   expect_named("--fps", {"0", "-25", "x", "nan", "inf", "25fps"});
+}
+
+// As from an unset variable of a shell.
+TEST(CliRefusals, EmptyWords) {
+  for (const char* option : {"--state", "--series", "--summary", "--frames", "--fps", "--colour", "--set"}) {
+    const TemporaryFolder folder;
+    const ProgramResult result =
+        run_program({"run", "breaking_dam", "--steps", "1", option, ""}, folder.path);
+    EXPECT_EQ(result.code, 2) << option;
+    EXPECT_TRUE(has(result.err, std::string(option).substr(2))) << result.err;
+    EXPECT_EQ(names_in(folder.path), Words{}) << option;
+  }
 }
 
 TEST(CliRefusals, StepsAndTimeTogether) {

@@ -1,6 +1,7 @@
 // Every shipped scene runs 200 steps with every method it has, loses nothing and stays within reason.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "tests/support/simulation.hpp"
@@ -15,13 +16,20 @@ TEST_P(ShippedScene, Runs200Steps) {
   const auto& [name, method, precision] = GetParam();
   Simulation simulation(shipped(name, {"pressure.method=" + method}), precision);
   const auto reports = simulation.run(200);
+  // A state equation gives way until its pressure carries the fluid above; it overshoots to twice that.
+  const Scene& scene = simulation.scene;
+  const auto [low, high] =
+      std::minmax_element(simulation.samples.fluid.begin(), simulation.samples.fluid.end(),
+                          [](Vec2 a, Vec2 b) { return a.y < b.y; });
+  const double hydrostatic = scene.rest_density * glm::length(scene.gravity) * (high->y - low->y) / 2;
+  const double allowed = method == "ssph" ? 0.01 + 2 * hydrostatic / scene.ssph->stiffness : 0.01;
   ASSERT_EQ(reports.size(), 200u);
   for (const StepReport& report : reports) {
     const Diagnostics& d = report.diagnostics;
     ASSERT_TRUE(d.finite());
     ASSERT_EQ(d.lost, 0u) << "step " << report.step;
     ASSERT_LT(d.cfl, 1) << "step " << report.step;
-    ASSERT_LT(d.mean_compression, 0.02) << "step " << report.step;
+    ASSERT_LT(d.mean_compression, allowed) << "step " << report.step;
     ASSERT_TRUE(report.converged) << "step " << report.step;
   }
   // Something moved, and it did not gain energy: the fluid starts at rest.

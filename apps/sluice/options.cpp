@@ -49,6 +49,24 @@ void add_size(const std::string& text, RunOptions& options) {
   options.overrides.push_back(fmt::format("output.size=[{},{}]", width, height));
 }
 
+/// A file or folder to write. An empty word, as from an unset variable of a shell, is no wish for no file.
+CLI::Option* add_path(CLI::App& app, const std::string& name, std::optional<std::filesystem::path>& path,
+                      const std::string& help) {
+  const auto read = [name, &path](const std::string& text) {
+    if (text.empty()) throw InputError(fmt::format("{}: found an empty name, expected where to write", name));
+    path = text;
+  };
+  return app.add_option_function<std::string>(name, read, help);
+}
+
+/// A number that may be left out; unlike an optional it refuses an empty word.
+template <class T>
+CLI::Option* add_number(CLI::App& app, const std::string& name, std::optional<T>& value,
+                        const std::string& help) {
+  return app.add_option_function<T>(
+      name, [&value](const T& number) { value = number; }, help);
+}
+
 void add_later_options(CLI::App& app) {
   for (const char* name :
        {"--checkpoint", "--checkpoint-every", "--resume", "--record", "--video", "--vtk", "--shader-dir"}) {
@@ -63,20 +81,20 @@ void add_later_options(CLI::App& app) {
 }
 
 void add_output_options(CLI::App& app, RunOptions& options) {
-  app.add_option("--state", options.state, "Write the last state: id,x,y,vx,vy,density,pressure")
+  add_path(app, "--state", options.state, "Write the last state: id,x,y,vx,vy,density,pressure")
       ->type_name("FILE.csv")
       ->group("Output");
-  app.add_option("--series", options.series, "Write one row per step: iterations, density, energies, ...")
+  add_path(app, "--series", options.series, "Write one row per step: iterations, density, energies, ...")
       ->type_name("FILE.csv")
       ->group("Output");
-  app.add_option("--summary", options.summary, "Write counts, means, timings and settings")
+  add_path(app, "--summary", options.summary, "Write counts, means, timings and settings")
       ->type_name("FILE.json")
       ->group("Output");
   app.add_flag("--quiet", options.quiet, "No progress, no table at the end")->group("Output");
 }
 
 void add_picture_options(CLI::App& app, RunOptions& options) {
-  app.add_option("--frames", options.frames, "Write pictures frame_000000.png, ... into this folder")
+  add_path(app, "--frames", options.frames, "Write pictures frame_000000.png, ... into this folder")
       ->type_name("DIR")
       ->group("Pictures");
   app.add_option_function<double>(
@@ -105,7 +123,7 @@ void add_picture_options(CLI::App& app, RunOptions& options) {
       {{"none", OverlayChoice::none}, {"facts", OverlayChoice::facts}, {"all", OverlayChoice::all}},
       "Text on the pictures: none, facts (default), all (with ms per step)")
       ->group("Pictures");
-  app.add_option("--gl-device", options.gl_device, "Draw on EGL device N; `sluice info` lists them")
+  add_number(app, "--gl-device", options.gl_device, "Draw on EGL device N; `sluice info` lists them")
       ->check(CLI::Range(0, 255))
       ->type_name("N")
       ->group("Pictures");
@@ -142,7 +160,7 @@ void declare_run_options(CLI::App& app, RunOptions& options) {
                        },
                        "Steps to run in place of time.duration")
                     ->type_name("N");
-  app.add_option("--time", options.time, "Time to simulate in place of time.duration")
+  add_number(app, "--time", options.time, "Time to simulate in place of time.duration")
       ->type_name("T")
       ->excludes(steps);
   app.add_option("--threads", options.threads, "Threads of the CPU backend; results do not depend on it")
