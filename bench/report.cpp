@@ -1,6 +1,7 @@
 #include "bench/report.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -43,6 +44,8 @@ std::string row_of(const std::string& title, Cell&& cell) {
 }
 
 }  // namespace
+
+Collector::Collector() : ConsoleReporter(isatty(STDOUT_FILENO) == 1 ? OO_Color : OO_None) {}
 
 void Collector::ReportRuns(const std::vector<Run>& runs) {
   ConsoleReporter::ReportRuns(runs);

@@ -11,6 +11,8 @@ namespace sluice::bench {
 /// Prints what runs as usual, and keeps the fastest repetition of each.
 class Collector : public benchmark::ConsoleReporter {
  public:
+  Collector();
+
   void ReportRuns(const std::vector<Run>& runs) override;
 
   bool failed() const { return failed_; }

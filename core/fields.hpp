@@ -131,12 +131,16 @@ struct Sizes {
   }
 };
 
+/// Neighbour list entries per particle to begin with, at H = h.
+inline constexpr double first_list_length = 20;
+
 /// Entries to set aside for the neighbour lists of `n` particles at smoothing H/h: the mean number of
 /// neighbours is pi (2H/h)^2 - 1, a slice is as long as its longest list, and what is missing is added when
 /// it is needed.
 constexpr uint64_t first_list_size(uint64_t n, double smoothing) {
   const uint64_t slices = (n + slice_width - 1) / slice_width;
-  return slices * slice_width * static_cast<uint64_t>(20 * smoothing * smoothing + 0.5) + 64 * slice_width;
+  const auto per_particle = static_cast<uint64_t>(first_list_length * smoothing * smoothing) + 1;
+  return uint64_t{slice_width} * (slices * per_particle + 64);
 }
 
 }  // namespace sluice

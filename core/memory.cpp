@@ -34,7 +34,7 @@ MemoryNeed memory_need(const Scene& scene, Precision precision) {
   const SampleBounds bounds = sample_bounds(scene);
   const glm::dvec2 cells = grid_cells(scene);
   const FieldSet fields = make_plan(needs_of(scene)).fields();
-  const double list_per_particle = 20 * scene.smoothing * scene.smoothing;
+  const double list_per_particle = first_list_length * scene.smoothing * scene.smoothing;
   double per_particle = 0, per_cell = 0, per_sample = 0;
   for (uint32_t i = 0; i < field_count; ++i) {
     const FieldInfo& field = field_table[i];
@@ -69,7 +69,7 @@ double available_memory() {
 void require_memory(const Scene& scene, Precision precision, double available) {
   const MemoryNeed need = memory_need(scene, precision);
   const glm::dvec2 cells = grid_cells(scene);
-  const double entries = need.fluid * 20 * scene.smoothing * scene.smoothing;
+  const double entries = need.fluid * first_list_length * scene.smoothing * scene.smoothing;
   const bool countable = need.fluid + need.boundary <= largest_count && cells.x * cells.y <= largest_count &&
                          entries <= 2 * largest_count;
   if (countable && need.bytes <= available) return;

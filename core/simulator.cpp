@@ -97,7 +97,7 @@ std::vector<Vec2> Simulator::relaxed_positions(const std::vector<Vec2>& x) {
     solve_pressure(plan, relax_tolerance, report);
     run(plan.finish);
   }
-  const std::vector<Vec2> relaxed = by_id(vectors(Field::x_in), ids(Field::id));
+  std::vector<Vec2> relaxed = by_id(vectors(Field::x_in), ids(Field::id));
   for (size_t i = 0; i < relaxed.size(); ++i) {
     if (is_finite(relaxed[i])) continue;
     throw InputError(

@@ -19,10 +19,9 @@ void diagnostics(State<Real>& state) {
   const ParamsOf<Real>& params = state.params;
   const bool walls = state.needs.boundary;
   const uint64_t chunks = state.sizes.chunks();
-  for_each_index(chunks, state.threads, [&](uint32_t chunk) {
+  for_each_chunk(params.n, state.threads, [&](uint32_t chunk, uint32_t first, uint32_t last) {
     std::array<Real, total_count> sums{};
     const auto at = [&](Total total) -> Real& { return sums[static_cast<uint32_t>(total)]; };
-    const uint32_t first = chunk * chunk_width, last = std::min(first + chunk_width, params.n);
     for (uint32_t i = first; i < last; ++i) {
       const glm::vec<2, Real> x = state.x_in[i], v = state.v_in[i];
       const Real compression = std::max(state.rho[i] / params.rho0 - Real(1), Real(0));

@@ -13,8 +13,7 @@ template <class Real>
 void pressure_update(State<Real>& state) {
   const ParamsOf<Real>& params = state.params;
   const uint64_t chunks = state.sizes.chunks();
-  for_each_index(chunks, state.threads, [&](uint32_t chunk) {
-    const uint32_t first = chunk * chunk_width, last = std::min(first + chunk_width, params.n);
+  for_each_chunk(params.n, state.threads, [&](uint32_t chunk, uint32_t first, uint32_t last) {
     Real error{}, counted{};
     for (uint32_t i = first; i < last; ++i) {
       if (state.A_ii[i] == Real(0)) continue;

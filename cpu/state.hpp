@@ -1,6 +1,7 @@
 // What the CPU stages work on: constants, fields, and the two ways of walking over them.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -48,13 +49,22 @@ struct State {
 #undef FIELD
 };
 
-/// Calls f(i) for all i < n. Who runs which i does not matter: f writes only what belongs to i.
+/// Calls f(i) for all i < n. Who runs which i does not matter: f writes only what belongs to i. `work` says
+/// how many particles an i stands for, so that threads are used only where they pay.
 template <class F>
-void for_each_index(uint64_t n, int threads, F&& f) {
-  // A thread pays for itself only with some work to do.
-  const int useful = static_cast<int>(std::min<uint64_t>(static_cast<uint64_t>(threads), n / 256 + 1));
+void for_each_index(uint64_t n, int threads, F&& f, uint64_t work = 1) {
+  const int useful = static_cast<int>(std::min<uint64_t>(static_cast<uint64_t>(threads), n * work / 256 + 1));
 #pragma omp parallel for num_threads(useful) schedule(static)
   for (int64_t i = 0; i < static_cast<int64_t>(n); ++i) f(static_cast<uint32_t>(i));
+}
+
+/// Calls f(chunk, first, last) for all chunks of `n` particles; the chunk's are first to last - 1.
+template <class F>
+void for_each_chunk(uint32_t n, int threads, F&& f) {
+  const auto call = [&](uint32_t chunk) {
+    f(chunk, chunk * chunk_width, std::min((chunk + 1) * chunk_width, n));
+  };
+  for_each_index((uint64_t{n} + chunk_width - 1) / chunk_width, threads, call, chunk_width);
 }
 
 /// Calls f(j, dW_ij) for the neighbours j of particle i, in the order of the list.

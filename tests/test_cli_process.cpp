@@ -118,7 +118,8 @@ TEST(CliProcess, ATerminalSeesProgress) {
 TEST(CliProcess, ProgressIsForTerminalsOnly) {
   EXPECT_EQ(shown_on_terminal({"--steps", "30", "--quiet"}), "");
   EXPECT_EQ(shown_on_terminal({"--steps", "0"}), "");
-  const ProgramResult result = run_program({"run", "breaking_dam", "--backend", "cpu", "--steps", "30"});
+  const ProgramResult result =
+      run_program({"run", "breaking_dam", "--backend", "cpu", "--threads", "1", "--steps", "30"});
   EXPECT_EQ(result.err, "");
 }
 

@@ -79,7 +79,8 @@ TEST(CliUsage, WhatIsNotBuiltYetSaysSo) {
 
 TEST(CliUsage, ResultsAreOnStandardOutputMessagesOnStandardError) {
   const TemporaryFolder folder;
-  const ProgramResult chosen = run_program({"run", "breaking_dam", "--steps", "3"}, folder.path);
+  const ProgramResult chosen =
+      run_program({"run", "breaking_dam", "--steps", "3", "--threads", "1"}, folder.path);
   EXPECT_EQ(chosen.code, 0);
   EXPECT_TRUE(has(chosen.out, "Breaking dam: 3 steps of IISPH")) << chosen.out;
   EXPECT_TRUE(has(chosen.out, "pressure_operator")) << chosen.out;
@@ -88,12 +89,13 @@ TEST(CliUsage, ResultsAreOnStandardOutputMessagesOnStandardError) {
   EXPECT_EQ(std::count(chosen.err.begin(), chosen.err.end(), '\n'), 1) << chosen.err;
 
   const ProgramResult named =
-      run_program({"run", "breaking_dam", "--steps", "3", "--backend", "cpu"}, folder.path);
+      run_program({"run", "breaking_dam", "--steps", "3", "--threads", "1", "--backend", "cpu"}, folder.path);
   EXPECT_EQ(named.code, 0);
   EXPECT_NE(named.out, "");
   EXPECT_EQ(named.err, "");
 
-  const ProgramResult quiet = run_program({"run", "breaking_dam", "--steps", "3", "--quiet"}, folder.path);
+  const ProgramResult quiet =
+      run_program({"run", "breaking_dam", "--steps", "3", "--threads", "1", "--quiet"}, folder.path);
   EXPECT_EQ(quiet.code, 0);
   EXPECT_EQ(quiet.out, "");
   EXPECT_EQ(quiet.err, "");

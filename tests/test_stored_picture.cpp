@@ -15,7 +15,8 @@ namespace {
 
 constexpr const char* stored = SLUICE_SOURCE_DIR "/tests/data/breaking_dam_t6.png";
 constexpr const char* words =
-    "run breaking_dam --backend cpu --precision double --time 6 --fps 0.1666666667 --size 200x300 --overlay "
+    "run breaking_dam --backend cpu --threads 1 --precision double --time 6 --fps 0.1666666667 --size "
+    "200x300 --overlay "
     "none";
 
 /// Share of the pixels of two pictures of one size that differ by more than 16 levels in a channel.

@@ -44,9 +44,6 @@ std::unique_ptr<Backend> choose_backend(const RunOptions& options) {
 uint64_t step_count(const RunOptions& options, const Scene& scene) {
   if (options.steps) return *options.steps;
   const double duration = options.time.value_or(scene.duration);
-  if (!(duration >= 0) || !std::isfinite(duration)) {
-    throw InputError(fmt::format("--time: found {:g}, expected a number from 0 on", duration));
-  }
   const double steps = std::round(duration / scene.dt);
   if (steps > 1e15) {
     throw InputError(
@@ -72,6 +69,15 @@ class Outputs {
   void add(const Simulator& simulator, const StepReport& report, double seconds_per_step) {
     if (series_ && report.step > 0) series_->add(report);
     if (frames_) frames_->show(simulator, report, seconds_per_step);
+  }
+
+  /// Saves the rows of a run that is about to fail for another reason; if this fails too, that reason is the
+  /// news.
+  void save_series() noexcept {
+    try {
+      if (series_) series_->commit();
+    } catch (const Error&) {
+    }
   }
 
   void finish(const RunSummary& summary) {
@@ -138,7 +144,12 @@ int run_command(const RunOptions& options) {
   RunSummary summary{scene, samples, *backend, simulator, statistics};
   {
     Progress progress(steps, static_cast<double>(steps) * scene.dt, options.quiet);
-    simulate(simulator, steps, outputs, progress, statistics, summary.seconds);
+    try {
+      simulate(simulator, steps, outputs, progress, statistics, summary.seconds);
+    } catch (const Error&) {
+      outputs.save_series();
+      throw;
+    }
   }
   outputs.finish(summary);
   return report_end(summary, steps, options.quiet);

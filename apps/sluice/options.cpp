@@ -59,12 +59,27 @@ CLI::Option* add_path(CLI::App& app, const std::string& name, std::optional<std:
   return app.add_option_function<std::string>(name, read, help);
 }
 
-/// A number that may be left out; unlike an optional it refuses an empty word.
+/// The whole of `text` as a number; an empty word, as from an unset variable of a shell, is none.
 template <class T>
-CLI::Option* add_number(CLI::App& app, const std::string& name, std::optional<T>& value,
-                        const std::string& help) {
-  return app.add_option_function<T>(
-      name, [&value](const T& number) { value = number; }, help);
+std::optional<T> number_in(const std::string& text) {
+  T value{};
+  const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || rest != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+/// Reads an option's number, one that is not `wanted` is refused.
+template <class T, class Wanted, class Use>
+CLI::Option* add_number(CLI::App& app, const std::string& name, const std::string& expected, Wanted wanted,
+                        Use use, const std::string& help) {
+  const auto read = [name, expected, wanted, use](const std::string& text) {
+    const std::optional<T> value = number_in<T>(text);
+    if (!value || !wanted(*value)) {
+      throw InputError(fmt::format("{}: found \"{}\", expected {}", name, text, expected));
+    }
+    use(*value);
+  };
+  return app.add_option_function<std::string>(name, read, help);
 }
 
 void add_later_options(CLI::App& app) {
@@ -97,15 +112,10 @@ void add_picture_options(CLI::App& app, RunOptions& options) {
   add_path(app, "--frames", options.frames, "Write pictures frame_000000.png, ... into this folder")
       ->type_name("DIR")
       ->group("Pictures");
-  app.add_option_function<double>(
-         "--fps",
-         [&](double fps) {
-           if (!(fps > 0) || !std::isfinite(fps)) {
-             throw InputError(fmt::format("--fps: found {:g}, expected a number greater than 0", fps));
-           }
-           options.overrides.push_back(fmt::format("output.fps={:.17g}", fps));
-         },
-         "Pictures per simulated second; overrides output.fps")
+  add_number<double>(
+      app, "--fps", "a number greater than 0", [](double fps) { return fps > 0 && std::isfinite(fps); },
+      [&](double fps) { options.overrides.push_back(fmt::format("output.fps={:.17g}", fps)); },
+      "Pictures per simulated second; overrides output.fps")
       ->type_name("F")
       ->group("Pictures");
   app.add_option_function<std::string>(
@@ -123,8 +133,9 @@ void add_picture_options(CLI::App& app, RunOptions& options) {
       {{"none", OverlayChoice::none}, {"facts", OverlayChoice::facts}, {"all", OverlayChoice::all}},
       "Text on the pictures: none, facts (default), all (with ms per step)")
       ->group("Pictures");
-  add_number(app, "--gl-device", options.gl_device, "Draw on EGL device N; `sluice info` lists them")
-      ->check(CLI::Range(0, 255))
+  add_number<int>(
+      app, "--gl-device", "a number that `sluice info` lists", [](int device) { return device >= 0; },
+      [&](int device) { options.gl_device = device; }, "Draw on EGL device N; `sluice info` lists them")
       ->type_name("N")
       ->group("Pictures");
 }
@@ -147,24 +158,19 @@ void declare_run_options(CLI::App& app, RunOptions& options) {
   add_choice<Precision>(app, "--precision", options.precision,
                         {{"float", Precision::single_}, {"double", Precision::double_}},
                         "float (default) or double; double runs on the CPU");
-  auto* steps = app.add_option_function<std::string>(
-                       "--steps",
-                       [&](const std::string& text) {
-                         uint64_t count = 0;
-                         const auto result = std::from_chars(text.data(), text.data() + text.size(), count);
-                         if (result.ec != std::errc() || result.ptr != text.data() + text.size()) {
-                           throw InputError(
-                               fmt::format("--steps: found \"{}\", expected a whole number from 0 on", text));
-                         }
-                         options.steps = count;
-                       },
-                       "Steps to run in place of time.duration")
+  auto* steps = add_number<uint64_t>(
+                    app, "--steps", "a whole number from 0 on", [](uint64_t) { return true; },
+                    [&](uint64_t count) { options.steps = count; }, "Steps to run in place of time.duration")
                     ->type_name("N");
-  add_number(app, "--time", options.time, "Time to simulate in place of time.duration")
+  add_number<double>(
+      app, "--time", "a number from 0 on", [](double time) { return time >= 0 && std::isfinite(time); },
+      [&](double time) { options.time = time; }, "Time to simulate in place of time.duration")
       ->type_name("T")
       ->excludes(steps);
-  app.add_option("--threads", options.threads, "Threads of the CPU backend; results do not depend on it")
-      ->check(CLI::Range(1, 1024))
+  add_number<int>(
+      app, "--threads", "1 to 1024", [](int threads) { return threads >= 1 && threads <= 1024; },
+      [&](int threads) { options.threads = threads; },
+      "Threads of the CPU backend; results do not depend on it")
       ->type_name("N");
   add_output_options(app, options);
   add_picture_options(app, options);
