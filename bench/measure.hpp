@@ -17,12 +17,12 @@ benchmark::internal::Benchmark* add(const CaseKey& key, const std::string& what,
       ->Unit(benchmark::kMicrosecond);
 }
 
-/// Particles per second, and nanoseconds per particle in the counter "ns".
+/// Particles per second, and seconds per particle in the counter "per_particle".
 inline void count_particles(benchmark::State& state, uint32_t n) {
   using benchmark::Counter;
   state.SetItemsProcessed(state.iterations() * n);
-  state.counters["ns"] =
-      Counter(1e-9 * n, static_cast<Counter::Flags>(Counter::kIsIterationInvariantRate | Counter::kInvert));
+  state.counters["per_particle"] =
+      Counter(n, static_cast<Counter::Flags>(Counter::kIsIterationInvariantRate | Counter::kInvert));
 }
 
 }  // namespace sluice::bench

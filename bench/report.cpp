@@ -71,7 +71,7 @@ std::string Collector::markdown() const {
   using enum PressureMethod;
   const auto ns = [&](PressureMethod method, Precision precision, const std::string& what) {
     return [=, this](uint32_t size, int threads) {
-      return number(CaseKey{method, size, precision, threads}.name() + "/" + what, "ns");
+      return 1e9 * number(CaseKey{method, size, precision, threads}.name() + "/" + what, "per_particle");
     };
   };
   const auto yardstick = [&](uint32_t size) { return ns(iisph, Precision::single_, "yardstick")(size, 1); };
@@ -116,7 +116,7 @@ std::string Collector::markdown() const {
     page += head("stage");
     for (const std::string& part : grid_parts) {
       page += row_of(part, [&](uint32_t size, int threads) {
-        return number(CaseKey{iisph, size, precision, threads}.name() + "/grid", part);
+        return number(CaseKey{iisph, size, precision, threads}.name() + "/grid", part + "_ns");
       });
     }
     for (const StageInfo& stage : stage_table()) {

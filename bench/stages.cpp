@@ -28,7 +28,7 @@ void time_grid(benchmark::State& state, Case& subject) {
   });
   count_particles(state, subject.n());
   for (const Stage stage : grid) {
-    state.counters[std::string(info(stage).name)] =
+    state.counters[std::string(info(stage).name) + "_ns"] =
         1e9 * subject.backend().seconds(stage) / (static_cast<double>(state.iterations()) * subject.n());
   }
 }

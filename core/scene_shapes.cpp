@@ -72,9 +72,10 @@ std::vector<ShapeReader::Place> ShapeReader::places(const SceneValue& table, con
 void ShapeReader::add_samples(const Place& place, double count) {
   samples_ += count;
   if (!(samples_ <= max_samples))
-    throw refusal(blame({place.table, &spacing_}), place.path,
-                  fmt::format("room for {:.4g} samples up to here", samples_),
-                  fmt::format("at most {:.0f} in all shapes together", max_samples));
+    throw refusal(blame({&spacing_, place.table}), "particles.spacing",
+                  fmt::format("{}, which makes {:.4g} samples up to {}", h_, samples_, place.path),
+                  fmt::format("at most {:.0f} in all shapes together; use a larger spacing or smaller shapes",
+                              max_samples));
 }
 
 Rect ShapeReader::rect(const Place& place) {

@@ -8,13 +8,11 @@
 #include <numeric>
 
 #include "core/error.hpp"
+#include "core/verdict.hpp"
 
 namespace sluice {
 namespace {
 
-/// Beyond these a run is invalid: a particle crosses 100 spacings in a step, or a tenth of the fluid is lost.
-constexpr double largest_cfl = 100;
-constexpr double largest_lost_share = 0.1;
 constexpr double relax_tolerance = 1e-4;
 
 /// Boundary samples sorted by grid cell, and the first of each cell.
@@ -48,7 +46,12 @@ std::vector<T> by_id(const std::vector<T>& values, const std::vector<uint32_t>& 
   return sorted;
 }
 
-bool is_finite(Vec2 a) { return std::isfinite(a.x) && std::isfinite(a.y); }
+std::optional<size_t> first_not_finite(const std::vector<Vec2>& values) {
+  for (size_t i = 0; i < values.size(); ++i) {
+    if (!std::isfinite(values[i].x) || !std::isfinite(values[i].y)) return i;
+  }
+  return std::nullopt;
+}
 
 }  // namespace
 
@@ -76,12 +79,26 @@ void Simulator::start(const std::vector<Vec2>& x) {
   allocate(plan_);
   backend_.configure(params_, plan_.needs);
   upload_state(x, v);
+  refuse_beyond_range();
   begin_step();
   run_search(plan_);
   const std::vector<Vec2> sorted_x = vectors(Field::x), sorted_v = vectors(Field::v);
   backend_.upload(Field::x_in, flat(sorted_x));
   backend_.upload(Field::v_in, flat(sorted_v));
   backend_.reset_seconds();
+}
+
+/// What is finite in a scene may not be in float.
+void Simulator::refuse_beyond_range() const {
+  for (const Field field : {Field::x_in, Field::v_in}) {
+    const auto i = first_not_finite(vectors(field));
+    if (!i) continue;
+    const FluidShape& shape = scene_.fluid[samples_.fluid_shape[*i]];
+    throw InputError(
+        fmt::format("{}: {}: found a particle whose {} is beyond the range of this precision, expected "
+                    "one within it; use --precision double or smaller numbers",
+                    shape.where, shape.key, field == Field::x_in ? "position" : "velocity"));
+  }
 }
 
 std::vector<Vec2> Simulator::relaxed_positions(const std::vector<Vec2>& x) {
@@ -98,12 +115,11 @@ std::vector<Vec2> Simulator::relaxed_positions(const std::vector<Vec2>& x) {
     run(plan.finish);
   }
   std::vector<Vec2> relaxed = by_id(vectors(Field::x_in), ids(Field::id));
-  for (size_t i = 0; i < relaxed.size(); ++i) {
-    if (is_finite(relaxed[i])) continue;
+  if (const auto i = first_not_finite(relaxed)) {
     throw InputError(
         fmt::format("{}: fluid.relax: found a relaxation that diverges at particle {} near ({:g}, {:g}), "
                     "expected positions that can be relaxed; lower fluid.jitter or leave out fluid.relax",
-                    scene_.file, i, x[i].x, x[i].y));
+                    scene_.file, *i, x[*i].x, x[*i].y));
   }
   return relaxed;
 }
@@ -187,44 +203,12 @@ StepReport Simulator::step() {
   std::array<double, total_count> totals{};
   backend_.download(Field::totals, totals);
   report.diagnostics = make_diagnostics(totals, params_);
-  last_state_finite_ = report.diagnostics.finite();
-  failure_ = judge(report);
-  return report;
-}
-
-std::optional<Failure> Simulator::judge(const StepReport& report) const {
-  const Diagnostics& d = report.diagnostics;
-  const bool too_fast = d.cfl > largest_cfl, too_many_lost = d.lost > largest_lost_share * params_.n;
-  if (last_state_finite_ && !too_fast && !too_many_lost) return std::nullopt;
-
-  const std::vector<uint32_t> id = ids(Field::id);
-  const auto x = by_id(vectors(Field::x_in), id), v = by_id(vectors(Field::v_in), id);
-  const auto before = by_id(vectors(Field::x), id);
-  const auto lost = [&](size_t i) {
-    return x[i].x < params_.domain_min.x || x[i].x > params_.domain_max.x || x[i].y < params_.domain_min.y;
-  };
-  Failure failure{report.step, report.time, 0, {}, {}};
-  const auto first_with = [&](auto condition) {
-    uint32_t i = 0;
-    while (i + 1 < x.size() && !condition(i)) ++i;
-    return i;
-  };
-  if (!last_state_finite_) {
-    failure.id = first_with([&](size_t i) { return !is_finite(x[i]) || !is_finite(v[i]); });
-    failure.reason = "a value is not finite";
-  } else if (too_fast) {
-    for (uint32_t i = 0; i < v.size(); ++i) {
-      if (glm::length(v[i]) > glm::length(v[failure.id])) failure.id = i;
-    }
-    failure.reason =
-        fmt::format("a particle moved by {:.3g} spacings in one step, more than {:g}", d.cfl, largest_cfl);
-  } else {
-    failure.id = first_with(lost);
-    failure.reason = fmt::format("{} of {} particles are lost, more than {:g} %", d.lost, params_.n,
-                                 100 * largest_lost_share);
+  if (is_suspect(report, params_)) {
+    const Snapshot after = snapshot();
+    last_state_finite_ = is_finite(after);
+    failure_ = find_failure(report, params_, state_before_step(), after);
   }
-  failure.x = is_finite(x[failure.id]) ? x[failure.id] : before[failure.id];
-  return failure;
+  return report;
 }
 
 std::vector<uint32_t> Simulator::ids(Field field) const {
@@ -246,16 +230,17 @@ std::vector<Vec2> Simulator::vectors(Field field) const {
 }
 
 Snapshot Simulator::snapshot() const {
+  if (!last_state_finite_) return state_before_step();
   const std::vector<uint32_t> id = ids(Field::id);
-  if (last_state_finite_) {
-    return {by_id(vectors(Field::x_in), id), by_id(vectors(Field::v_in), id), by_id(scalars(Field::rho), id),
-            by_id(scalars(Field::p), id)};
-  }
-  // The state before the step that failed: x and v in the order of that step, rho and p in that of the step
-  // before.
-  const std::vector<uint32_t> id_before = ids(Field::id_in);
+  return {by_id(vectors(Field::x_in), id), by_id(vectors(Field::v_in), id), by_id(scalars(Field::rho), id),
+          by_id(scalars(Field::p), id), steps_};
+}
+
+/// It is still there: x and v in the order of the last step, rho and p in that of the step before.
+Snapshot Simulator::state_before_step() const {
+  const std::vector<uint32_t> id = ids(Field::id), id_before = ids(Field::id_in);
   return {by_id(vectors(Field::x), id), by_id(vectors(Field::v), id),
-          by_id(scalars(Field::rho_in), id_before), by_id(scalars(Field::p_in), id_before)};
+          by_id(scalars(Field::rho_in), id_before), by_id(scalars(Field::p_in), id_before), steps_ - 1};
 }
 
 }  // namespace sluice

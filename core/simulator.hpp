@@ -7,37 +7,12 @@
 #include <vector>
 
 #include "core/backend.hpp"
-#include "core/diagnostics.hpp"
 #include "core/plan.hpp"
+#include "core/report.hpp"
 #include "core/sampling.hpp"
 #include "core/scene.hpp"
 
 namespace sluice {
-
-struct StepReport {
-  uint64_t step = 0;  ///< 1 for the first
-  double time = 0;    ///< at the end of the step
-  double dt = 0;
-  uint32_t iterations = 0;  ///< 0 where pressure comes from a state equation
-  double residual = 0;      ///< the last e
-  bool converged = true;
-  Diagnostics diagnostics;
-};
-
-/// Why a run is invalid, where and when.
-struct Failure {
-  uint64_t step = 0;
-  double time = 0;
-  uint32_t id = 0;
-  Vec2 x{};  ///< last finite position of that particle
-  std::string reason;
-};
-
-/// The fluid in id order.
-struct Snapshot {
-  std::vector<Vec2> x, v;
-  std::vector<double> density, pressure;  ///< computed during the step that led to this state
-};
 
 class Simulator {
  public:
@@ -60,6 +35,7 @@ class Simulator {
 
  private:
   void start(const std::vector<Vec2>& x);
+  void refuse_beyond_range() const;
   std::vector<Vec2> relaxed_positions(const std::vector<Vec2>& x);
   void upload_state(const std::vector<Vec2>& x, const std::vector<Vec2>& v);
   void allocate(const Plan& plan);
@@ -67,7 +43,7 @@ class Simulator {
   void run(const std::vector<Stage>& stages);
   void run_search(const Plan& plan);
   void solve_pressure(const Plan& plan, double tolerance, StepReport& report);
-  std::optional<Failure> judge(const StepReport& report) const;
+  Snapshot state_before_step() const;
   std::vector<uint32_t> ids(Field field) const;
   std::vector<double> scalars(Field field) const;
   std::vector<Vec2> vectors(Field field) const;

@@ -5,14 +5,14 @@
 
 namespace sluice {
 
-void write_state(OutputFile& file, const Snapshot& snapshot, uint64_t step, Precision precision) {
+void write_state(OutputFile& file, const Snapshot& snapshot, Precision precision) {
   file.write("id,x,y,vx,vy,density,pressure\n");
   std::string row;
   for (size_t i = 0; i < snapshot.x.size(); ++i) {
     row = std::to_string(i);
     const Vec2 x = snapshot.x[i], v = snapshot.v[i];
-    const double density = step == 0 ? 0 : snapshot.density[i],
-                 pressure = step == 0 ? 0 : snapshot.pressure[i];
+    const double density = snapshot.step == 0 ? 0 : snapshot.density[i],
+                 pressure = snapshot.step == 0 ? 0 : snapshot.pressure[i];
     for (const double value : {x.x, x.y, v.x, v.y, density, pressure})
       row += ',' + round_trip(value, precision);
     row += '\n';

@@ -8,6 +8,6 @@ namespace sluice {
 
 /// Writes the rows of `snapshot` and commits the file. At step 0 density and pressure have not been computed
 /// by a step yet and are written as 0.
-void write_state(OutputFile& file, const Snapshot& snapshot, uint64_t step, Precision precision);
+void write_state(OutputFile& file, const Snapshot& snapshot, Precision precision);
 
 }  // namespace sluice

@@ -3,9 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace sluice {
 
 std::string round_trip(double value, Precision precision) {
+  if (std::isnan(value)) return "nan";  // a NaN's sign says nothing
   return precision == Precision::double_ ? fmt::format("{:.17g}", value) : fmt::format("{:.9g}", value);
 }
 

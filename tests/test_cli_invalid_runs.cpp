@@ -134,8 +134,9 @@ TEST(CliInvalidRuns, AValueThatIsNotFinite) {
 
   // The last finite state is that of the step before, to the last digit, and the particle was there.
   const TemporaryFolder folder;
-  Words before{"run",     "breaking_dam",      "--quiet", "--steps", std::to_string(step - 1),
-               "--state", folder / "state.csv"};
+  Words before{
+      "run",     "breaking_dam",      "--threads", "1", "--quiet", "--steps", std::to_string(step - 1),
+      "--state", folder / "state.csv"};
   before.insert(before.end(), words.begin(), words.end());
   ASSERT_EQ(run_program(before).code, 0);
   EXPECT_TRUE(read_table(folder / "state.csv").rows == bad.state.rows);

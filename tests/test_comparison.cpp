@@ -42,7 +42,7 @@ TEST(Comparison, ShortArraySameStorageAndZeroReferenceAreInfinitelyFar) {
 }
 
 TEST(Comparison, SnapshotsWithOneBitOffAreNotTheSame) {
-  Snapshot a{{{1, 2}}, {{3, 4}}, {5}, {6}}, b = a;
+  Snapshot a{{{1, 2}}, {{3, 4}}, {5}, {6}, 1}, b = a;
   EXPECT_TRUE(same_bits(a, b));
   b.v[0].y = std::nextafter(4.0, 5.0);
   EXPECT_FALSE(same_bits(a, b));

@@ -179,10 +179,10 @@ TEST(SceneOverrides, MistakesThatAnOverrideCausesElsewhereNameItToo) {
   EXPECT_EQ(refusal_of({"particles.spacing=1000"}),
             "--set particles.spacing: fluid.rect.0.max: found (200, 264), expected more than min (3000, "
             "3000) both ways");
-  EXPECT_EQ(
-      refusal_of({"particles.spacing=1e-9"}),
-      "--set particles.spacing: fluid.rect.0: found room for 5.28e+22 samples up to here, expected at most "
-      "4294967295 in all shapes together");
+  EXPECT_EQ(refusal_of({"particles.spacing=1e-9"}),
+            "--set particles.spacing: particles.spacing: found 1e-09, which makes 5.28e+22 samples up to "
+            "fluid.rect.0, expected at most 4294967295 in all shapes together; use a larger spacing or "
+            "smaller shapes");
   EXPECT_EQ(refusal_of({"fluid.rect.0.min=[300, 0]"}),
             "--set fluid.rect.0.min: fluid.rect.0.max: found (200, 264), expected more than min (300, 0) "
             "both ways");

@@ -307,27 +307,18 @@ TEST(SceneRefusals, Contradictions) {
 }
 
 TEST(SceneRefusals, TooManyToNumber) {
+  const auto message = [](const std::string& number, const std::string& place) {
+    return "t.toml:4:11: particles.spacing: found 8, which makes " + number + " samples up to " + place +
+           ", expected at most 4294967295 in all shapes together; use a larger spacing or smaller shapes";
+  };
   expect_refusals({
-      {13, "count = [4294967295, 2]",
-       "t.toml:11:1: fluid.rect.0: found room for 8.59e+09 samples up to here, expected at most 4294967295 "
-       "in all "
-       "shapes together"},
-      {13, "max = [1e300, 1e300]",
-       "t.toml:11:1: fluid.rect.0: found room for inf samples up to here, expected at most 4294967295 in all "
-       "shapes "
-       "together"},
+      {13, "count = [4294967295, 2]", message("8.59e+09", "fluid.rect.0")},
+      {13, "max = [1e300, 1e300]", message("inf", "fluid.rect.0")},
       {13, "count = [65536, 65535]\n[[fluid.disc]]\ncentre = [0, 0]\nradius = \"200h\"",
-       "t.toml:14:1: fluid.disc.0: found room for 4.295e+09 samples up to here, expected at most 4294967295 "
-       "in all "
-       "shapes together"},
-      {18, "max = [1e300, 600]",
-       "t.toml:16:1: boundary.container.0: found room for 3.75e+299 samples up to here, expected at most "
-       "4294967295 "
-       "in all shapes together"},
+       message("4.295e+09", "fluid.disc.0")},
+      {18, "max = [1e300, 600]", message("3.75e+299", "boundary.container.0")},
       {18, "max = [400, 600]\n[[boundary.segment]]\nfrom = [0, 0]\nto = [1e200, 1e200]",
-       "t.toml:19:1: boundary.segment.0: found room for inf samples up to here, expected at most 4294967295 "
-       "in all "
-       "shapes together"},
+       message("inf", "boundary.segment.0")},
       {4, "spacing = 1e-200",
        "t.toml:4:11: particles.spacing: found 1e-200, which makes the mass of a particle 0, expected a mass "
        "rest_density h² within the range of numbers"},

@@ -82,7 +82,7 @@ class Outputs {
 
   void finish(const RunSummary& summary) {
     if (series_) series_->commit();
-    if (state_) write_state(*state_, summary.simulator.snapshot(), summary.simulator.steps(), precision_);
+    if (state_) write_state(*state_, summary.simulator.snapshot(), precision_);
     if (summary_) {
       summary_->write(to_json(summary).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n');
       summary_->commit();

@@ -1,10 +1,12 @@
 // `sluice`: parses the command line and turns errors into messages and exit codes: 0 done, 1 invalid run, 2
 // bad input or usage, 3 the environment failed.
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <new>
 
 #include "apps/sluice/commands.hpp"
@@ -18,6 +20,15 @@ constexpr int bad_input = 2, environment_failed = 3;
 int fail(int code, const std::string& message) {
   fmt::print(stderr, "sluice: {}\n", message);
   return code;
+}
+
+/// Threads that wait for each other spin before they sleep, by default so long that another busy program
+/// makes small scenes a hundred times slower. The OpenMP runtime reads how long only when a program starts,
+/// so this one starts again, once; if it can't, it goes on as it is.
+void limit_spinning(char** argv) {
+  if (std::getenv("GOMP_SPINCOUNT") != nullptr || std::getenv("OMP_WAIT_POLICY") != nullptr) return;
+  setenv("GOMP_SPINCOUNT", "1000", 1);
+  execv("/proc/self/exe", argv);
 }
 
 int dispatch(int argc, char** argv) {
@@ -62,6 +73,7 @@ int dispatch(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  limit_spinning(argv);
   // A reader that goes away is a failed write, not a death.
   std::signal(SIGPIPE, SIG_IGN);
   int code = 0;

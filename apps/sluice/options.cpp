@@ -15,14 +15,14 @@ namespace sluice {
 namespace {
 
 /// An option that takes one of a few names.
-template <class T>
-CLI::Option* add_choice(CLI::App& app, const std::string& name, T& value,
+template <class T, class Use>
+CLI::Option* add_choice(CLI::App& app, const std::string& name, Use use,
                         std::vector<std::pair<std::string, T>> choices, const std::string& help) {
-  const auto read = [name, &value, choices = std::move(choices)](const std::string& text) {
+  const auto read = [name, use, choices = std::move(choices)](const std::string& text) {
     std::string known;
     for (const auto& [choice, meaning] : choices) {
       if (text == choice) {
-        value = meaning;
+        use(meaning);
         return;
       }
       known += (known.empty() ? "" : ", ") + choice;
@@ -123,13 +123,13 @@ void add_picture_options(CLI::App& app, RunOptions& options) {
          "Picture size in pixels; overrides output.size")
       ->type_name("WxH")
       ->group("Pictures");
-  app.add_option_function<std::string>(
-         "--colour", [&](const std::string& name) { options.overrides.push_back("output.colour=" + name); },
-         "Colour particles by speed, density or pressure; overrides output.colour")
-      ->type_name("WHICH")
+  add_choice<std::string>(
+      app, "--colour", [&](const std::string& name) { options.overrides.push_back("output.colour=" + name); },
+      {{"speed", "speed"}, {"density", "density"}, {"pressure", "pressure"}},
+      "Colour particles by speed, density or pressure; overrides output.colour")
       ->group("Pictures");
   add_choice<OverlayChoice>(
-      app, "--overlay", options.overlay,
+      app, "--overlay", [&](OverlayChoice overlay) { options.overlay = overlay; },
       {{"none", OverlayChoice::none}, {"facts", OverlayChoice::facts}, {"all", OverlayChoice::all}},
       "Text on the pictures: none, facts (default), all (with ms per step)")
       ->group("Pictures");
@@ -152,12 +152,13 @@ void declare_run_options(CLI::App& app, RunOptions& options) {
       ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   add_choice<BackendChoice>(
-      app, "--backend", options.backend,
+      app, "--backend", [&](BackendChoice backend) { options.backend = backend; },
       {{"auto", BackendChoice::automatic}, {"cpu", BackendChoice::cpu}, {"gpu", BackendChoice::gpu}},
       "auto (default), cpu or gpu");
-  add_choice<Precision>(app, "--precision", options.precision,
-                        {{"float", Precision::single_}, {"double", Precision::double_}},
-                        "float (default) or double; double runs on the CPU");
+  add_choice<Precision>(
+      app, "--precision", [&](Precision precision) { options.precision = precision; },
+      {{"float", Precision::single_}, {"double", Precision::double_}},
+      "float (default) or double; double runs on the CPU");
   auto* steps = add_number<uint64_t>(
                     app, "--steps", "a whole number from 0 on", [](uint64_t) { return true; },
                     [&](uint64_t count) { options.steps = count; }, "Steps to run in place of time.duration")

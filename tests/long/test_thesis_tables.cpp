@@ -1,5 +1,5 @@
-// The published numbers of [Hunkler 2022, section 6.4]: average IISPH iterations per step over the whole run, and where
-// SSPH is stable. scripts/thesis_tables writes the same runs down in docs/thesis_tables.md.
+// The published numbers of [Hunkler 2022, section 6.4]: average IISPH iterations per step over the whole run,
+// and where SSPH is stable. scripts/thesis_tables writes the same runs down in docs/thesis_tables.md.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -36,8 +36,8 @@ TEST_P(BreakingDamTable, AverageIterationsAreThePublishedOnes) {
 
 INSTANTIATE_TEST_SUITE_P(Table61, BreakingDamTable,
                          testing::Values(Row{0.01, 2.00, 0.01}, Row{0.02, 2.38, 0.02}, Row{0.03, 4.87, 0.01},
-                                         Row{0.04, 8.45, 0.01}, Row{0.05, 12.87, 0.01}, Row{0.06, 18.04, 0.01},
-                                         Row{0.08, 30.01, 0.01}));
+                                         Row{0.04, 8.45, 0.01}, Row{0.05, 12.87, 0.01},
+                                         Row{0.06, 18.04, 0.01}, Row{0.08, 30.01, 0.01}));
 
 // Where the leak is in the thesis's dam is not known, so this is not a point-by-point reproduction.
 class LeakingDamTable : public testing::TestWithParam<Row> {};
@@ -49,7 +49,8 @@ TEST_P(LeakingDamTable, AverageIterationsAreNearThePublishedOnes) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Table62, LeakingDamTable,
-                         testing::Values(Row{0.004, 2.00, 0.1}, Row{0.01, 10.24, 0.1}, Row{0.02, 38.82, 0.1}));
+                         testing::Values(Row{0.004, 2.00, 0.1}, Row{0.01, 10.24, 0.1},
+                                         Row{0.02, 38.82, 0.1}));
 
 TEST(StateEquation, BreakingDamIsStableAtTheThesissTimeStep) {
   const RunStatistics statistics = whole_run("breaking_dam", {"pressure.method=ssph", "time.dt=0.01"});
@@ -65,8 +66,8 @@ TEST(StateEquation, BreakingDamIsUnstableWhereTheThesisSaysSo) {
 
 TEST(StateEquation, LeakingDamHoldsAtOneTimeStepAndBreaksAtTheNext) {
   const auto run = [](const std::string& dt) {
-    return run_program({"run", "leaking_dam", "--backend", "cpu", "--precision", "double", "--threads", "1", "--quiet",
-                        "--set", "pressure.method=ssph", "--set", "time.dt=" + dt});
+    return run_program({"run", "leaking_dam", "--backend", "cpu", "--precision", "double", "--threads", "1",
+                        "--quiet", "--set", "pressure.method=ssph", "--set", "time.dt=" + dt});
   };
   EXPECT_EQ(run("0.004").code, 0);
   const ProgramResult broken = run("0.0045");
@@ -77,10 +78,10 @@ TEST(StateEquation, LeakingDamHoldsAtOneTimeStepAndBreaksAtTheNext) {
 // Numbers of particles two and three orders above the thesis's.
 TEST(Size, AHundredThousandAndAMillionParticlesRun) {
   for (const auto& [spacing, least] : {std::pair{0.65, 90000u}, std::pair{0.2055, 950000u}}) {
-    Simulation simulation(shipped("breaking_dam", {"particles.spacing=" + std::to_string(spacing),
-                                                   "viscosity.coefficient=2",
-                                                   "time.dt=" + std::to_string(0.005 * spacing)}),
-                          Precision::single_, 2);
+    Simulation simulation(
+        shipped("breaking_dam", {"particles.spacing=" + std::to_string(spacing), "viscosity.coefficient=2",
+                                 "time.dt=" + std::to_string(0.005 * spacing)}),
+        Precision::single_, 2);
     EXPECT_GT(simulation.samples.fluid.size(), least);
     const auto reports = simulation.run(10);
     ASSERT_EQ(reports.size(), 10u);

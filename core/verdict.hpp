@@ -1,0 +1,23 @@
+// Whether the state a step led to is valid, and if it is not, which particle shows it first and why.
+#pragma once
+
+#include <optional>
+
+#include "core/params.hpp"
+#include "core/report.hpp"
+
+namespace sluice {
+
+/// Whether the totals of a step call for a look at every particle: something is not finite, a particle
+/// crossed more than 100 spacings, or more than a tenth of the fluid is lost.
+bool is_suspect(const StepReport& report, const Params& params);
+
+/// Whether every position, velocity, density and pressure is finite.
+bool is_finite(const Snapshot& snapshot);
+
+/// The reason why a suspect step is invalid. `before` is the state it started from, for the last finite
+/// position.
+Failure find_failure(const StepReport& report, const Params& params, const Snapshot& before,
+                     const Snapshot& after);
+
+}  // namespace sluice
