@@ -47,8 +47,7 @@ Case::Case(const CaseKey& key)
     : key_(key),
       scene_(make_scene(key)),
       samples_(sample(scene_)),
-      params_(make_params(scene_, static_cast<uint32_t>(samples_.fluid.size()),
-                          static_cast<uint32_t>(samples_.boundary.size()))),
+      params_(make_params(scene_, static_cast<uint32_t>(samples_.fluid.size()))),
       backend_(cpu::make_backend(key.precision, key.threads)),
       simulator_(std::make_unique<Simulator>(scene_, samples_, *backend_)) {
   for (int i = 0; i < steps_before; ++i) step();

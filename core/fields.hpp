@@ -17,7 +17,7 @@ enum class Length { one, fluid, cells, boundary, list, gradients, residual, diag
 
 enum class Type { real, vec2, vec4, uint, uvec2 };
 
-/// What the totals of a step hold, in this order; the first ten are also partial sums per chunk.
+/// What the totals of a step hold, in this order.
 enum class Total {
   density,
   compression,

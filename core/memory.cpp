@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <limits>
 #include <string>
@@ -20,6 +21,9 @@ namespace {
 constexpr double host_bytes_per_particle = 150;
 constexpr double largest_count = 2147483647.0;
 
+/// A count that may be beyond any integer, as one that is at least beyond any memory.
+uint64_t capped(double count) { return static_cast<uint64_t>(std::min(std::ceil(count), 0x1p45)); }
+
 /// A number in a file that holds only that, or infinity ("max", no such file).
 double number_in(const char* path) {
   std::ifstream file(path);
@@ -33,24 +37,27 @@ MemoryNeed memory_need(const Scene& scene, Precision precision) {
   const uint32_t real_bytes = precision == Precision::double_ ? 8 : 4;
   const SampleBounds bounds = sample_bounds(scene);
   const glm::dvec2 cells = grid_cells(scene);
-  const FieldSet fields = make_plan(needs_of(scene)).fields();
-  const double list_per_particle = first_list_length * scene.smoothing * scene.smoothing;
-  double per_particle = 0, per_cell = 0, per_sample = 0;
-  for (uint32_t i = 0; i < field_count; ++i) {
-    const FieldInfo& field = field_table[i];
-    if (!fields.has(static_cast<Field>(i))) continue;
-    const double bytes = element_bytes(field.type, real_bytes);
-    if (field.length == Length::fluid) per_particle += bytes;
-    if (field.length == Length::list) per_particle += bytes * list_per_particle;
-    if (field.length == Length::gradients) per_particle += 2 * bytes * list_per_particle;
-    if (field.length == Length::residual) per_particle += 2 * bytes / chunk_width;
-    if (field.length == Length::diagnostics) per_particle += total_count * bytes / chunk_width;
-    if (field.length == Length::cells) per_cell += bytes;
-    if (field.length == Length::boundary) per_sample += bytes;
-  }
-  MemoryNeed need{0, per_particle, bounds.fluid, bounds.boundary};
-  need.bytes = bounds.fluid * (per_particle + host_bytes_per_particle) +
-               bounds.boundary * (per_sample + host_bytes_per_particle) + cells.x * cells.y * per_cell;
+  const auto bytes_of = [&](const Plan& plan, const Sizes& sizes) {
+    double bytes = 0;
+    for (uint32_t i = 0; i < field_count; ++i) {
+      const FieldInfo& field = field_table[i];
+      if (!plan.fields().has(static_cast<Field>(i))) continue;
+      bytes += double(element_bytes(field.type, real_bytes)) * double(sizes.of(field.length));
+    }
+    return bytes;
+  };
+  const uint64_t fluid = capped(bounds.fluid);
+  const Sizes sizes{fluid, capped(bounds.boundary), capped(cells.x * cells.y),
+                    first_list_size(fluid, scene.smoothing)};
+  const Plan plan = make_plan(needs_of(scene));
+  MemoryNeed need;
+  need.fluid = bounds.fluid;
+  need.boundary = bounds.boundary;
+  need.bytes = bytes_of(plan, sizes);
+  if (plan.needs.relaxation) need.bytes = std::max(need.bytes, bytes_of(make_relax_plan(plan.needs), sizes));
+  need.bytes += (bounds.fluid + bounds.boundary) * host_bytes_per_particle;
+  constexpr uint64_t many = 1'000'000;
+  need.per_particle = bytes_of(plan, {many, 0, 0, first_list_size(many, scene.smoothing)}) / double(many);
   return need;
 }
 
@@ -69,7 +76,7 @@ double available_memory() {
 void require_memory(const Scene& scene, Precision precision, double available) {
   const MemoryNeed need = memory_need(scene, precision);
   const glm::dvec2 cells = grid_cells(scene);
-  const double entries = need.fluid * first_list_length * scene.smoothing * scene.smoothing;
+  const auto entries = double(first_list_size(capped(need.fluid), scene.smoothing));
   const bool countable = need.fluid + need.boundary <= largest_count && cells.x * cells.y <= largest_count &&
                          entries <= 2 * largest_count;
   if (countable && need.bytes <= available) return;

@@ -25,7 +25,7 @@ glm::dvec2 grid_cells(const Scene& scene) {
   return glm::ceil((scene.domain_max - scene.domain_min) / cell_edge(scene)) + 2.0;
 }
 
-Params make_params(const Scene& scene, uint32_t n, uint32_t n_boundary) {
+Params make_params(const Scene& scene, uint32_t n) {
   const double H = scene.smoothing_length();
   Params p;
   p.h = scene.spacing;
@@ -52,7 +52,6 @@ Params make_params(const Scene& scene, uint32_t n, uint32_t n_boundary) {
   p.domain_min = scene.domain_min;
   p.domain_max = scene.domain_max;
   p.n = n;
-  p.n_boundary = n_boundary;
   const glm::dvec2 cells = grid_cells(scene);
   p.columns = static_cast<uint32_t>(cells.x);
   p.rows = static_cast<uint32_t>(cells.y);

@@ -36,7 +36,6 @@ struct Scene;
   VEC2(domain_min, "lower left corner of the domain")                                                       \
   VEC2(domain_max, "upper right corner of the domain")                                                      \
   UINT(n, "number of fluid particles")                                                                      \
-  UINT(n_boundary, "number of boundary samples")                                                            \
   UINT(columns, "grid cells per row, padding included")                                                     \
   UINT(rows, "rows of grid cells, padding included")
 // clang-format on
@@ -67,8 +66,8 @@ struct ParamsOf {
 
 using Params = ParamsOf<double>;
 
-/// The constants of `scene` with `n` fluid particles and `n_boundary` boundary samples.
-Params make_params(const Scene& scene, uint32_t n, uint32_t n_boundary);
+/// The constants of `scene` with `n` fluid particles.
+Params make_params(const Scene& scene, uint32_t n);
 
 /// The same for a relaxation of the positions: dt = 1, no external force, p starts at 0, s = rho0 - rho.
 Params make_relax_params(const Params& params);
@@ -89,6 +88,13 @@ uint32_t cell_of(const ParamsOf<Real>& params, glm::vec<2, Real> x) {
   };
   return along(x.y - params.origin.y, params.rows) * params.columns +
          along(x.x - params.origin.x, params.columns);
+}
+
+/// Whether a particle at x is lost: left of, right of or below the domain. Above an open top it may come
+/// back.
+template <class Real>
+bool is_lost(const ParamsOf<Real>& params, glm::vec<2, Real> x) {
+  return x.x < params.domain_min.x || x.x > params.domain_max.x || x.y < params.domain_min.y;
 }
 
 }  // namespace sluice

@@ -19,7 +19,7 @@ Plan plan_with(const Needs& needs, std::initializer_list<Stage> finish) {
   plan.needs = needs;
   plan.search = needed(
       needs, {grid_count, grid_scan, grid_scatter, grid_order, reorder, neighbours, boundary, density});
-  plan.forces = needed(needs, {external, viscosity, predict, state_equation, diagonal, source});
+  plan.forces = needed(needs, {external, viscosity, predict, state_equation, diagonal, source, warm_start});
   if (needs.linear_system) plan.sweep = {pressure_acceleration, pressure_operator, pressure_update, residual};
   plan.finish = needed(needs, finish);
   return plan;

@@ -30,15 +30,4 @@ SampleBounds sample_bounds(const Scene& scene);
 /// a disc's centre, the middle of a rect's lattice, a polygon's centre of area.
 Vec2 start_velocity(const FluidShape& shape, double spacing, Vec2 x);
 
-/// SplitMix64 (Steele et al. 2014), written out so that a seed means the same numbers everywhere.
-class Random {
- public:
-  explicit Random(uint64_t seed) : state_(seed) {}
-  /// Uniform in [0, 1), 53 bits.
-  double uniform();
-
- private:
-  uint64_t state_;
-};
-
 }  // namespace sluice

@@ -59,8 +59,7 @@ Simulator::Simulator(const Scene& scene, const Samples& samples, Backend& backen
     : scene_(scene),
       samples_(samples),
       backend_(backend),
-      params_(make_params(scene, static_cast<uint32_t>(samples.fluid.size()),
-                          static_cast<uint32_t>(samples.boundary.size()))),
+      params_(make_params(scene, static_cast<uint32_t>(samples.fluid.size()))),
       plan_(make_plan(needs_of(scene))) {
   sizes_.fluid = samples.fluid.size();
   sizes_.boundary = samples.boundary.size();

@@ -31,7 +31,7 @@ const std::array<StageInfo, stage_count>& stage_table() {
        "C[c] := C[c] - 1, L[C[c]] = i"},
       {"grid_order", {C, L, id_in}, {L}, Length::cells, always,
        "L within each cell by id"},
-      {"reorder", {L, id_in, x_in, v_in, p_in}, {id, x, v, p}, Length::fluid, always,
+      {"reorder", {L, id_in, x_in, v_in}, {id, x, v}, Length::fluid, always,
        "x_i = x_in[L[i]], ..."},
       {"neighbours", {x, C}, neighbour_list | FieldSet{list_needed}, Length::fluid, always,
        "j: |x_ij| < 2H; dW_ij"},
@@ -50,9 +50,10 @@ const std::array<StageInfo, stage_count>& stage_table() {
       {"diagonal", {list, gradient, rho, wall_gradient, wall_gradient_squares}, {A_ii}, Length::fluid,
        linear_system,
        "A_ii = -dt^2 m^2/rho_i^2 (|sum dW|^2 + sum |dW|^2)"},
-      {"source", neighbour_list | FieldSet{v_star, rho, p, wall_gradient}, {s, p, q}, Length::fluid,
-       linear_system,
-       "s_i = rho0 - rho_i - dt m sum v*_ij.dW_ij; p := warm_start p"},
+      {"source", neighbour_list | FieldSet{v_star, rho, wall_gradient}, {s}, Length::fluid, linear_system,
+       "s_i = rho0 - rho_i - dt m sum v*_ij.dW_ij"},
+      {"warm_start", {L, p_in, rho}, {p, q}, Length::fluid, linear_system,
+       "p = warm_start p of the last step"},
       {"pressure_acceleration", neighbour_list | FieldSet{p, q, wall_gradient}, {a_p}, Length::fluid, always,
        "a_p = -m sum_j (q_i + q_j) dW_ij - (q_i + p_i/rho0^2) B_i"},
       {"pressure_operator", neighbour_list | FieldSet{a_p, wall_gradient}, {Ap}, Length::fluid, linear_system,
@@ -88,14 +89,15 @@ Needs needs_of(const Scene& scene) {
 
 namespace {
 
-/// Without boundary there are no wall fields, without viscosity no wall viscosity.
+/// Without boundary there are no wall fields; viscosity and the linear system each have one of their own.
 FieldSet needed_only(FieldSet set, const Needs& needs) {
   FieldSet kept;
   for (uint32_t i = 0; i < field_count; ++i) {
     const Field field = static_cast<Field>(i);
     const bool wall_without_boundary = wall_fields.has(field) && !needs.boundary;
-    const bool unused_viscosity = field == wall_viscosity && !needs.laplacian;
-    if (set.has(field) && !wall_without_boundary && !unused_viscosity) kept = kept | FieldSet{field};
+    const bool unused = (field == wall_viscosity && !needs.laplacian) ||
+                        (field == wall_gradient_squares && !needs.linear_system);
+    if (set.has(field) && !wall_without_boundary && !unused) kept = kept | FieldSet{field};
   }
   return kept;
 }

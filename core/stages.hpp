@@ -44,7 +44,7 @@ class FieldSet {
 #define SLUICE_STAGES(STAGE) \
   STAGE(grid_count) STAGE(grid_scan) STAGE(grid_scatter) STAGE(grid_order) STAGE(reorder) STAGE(neighbours)       \
   STAGE(boundary) STAGE(density) STAGE(external) STAGE(viscosity) STAGE(predict) STAGE(state_equation)            \
-  STAGE(diagonal) STAGE(source) STAGE(pressure_acceleration) STAGE(pressure_operator) STAGE(pressure_update)      \
+  STAGE(diagonal) STAGE(source) STAGE(warm_start) STAGE(pressure_acceleration) STAGE(pressure_operator) STAGE(pressure_update)      \
   STAGE(residual) STAGE(integrate) STAGE(relax) STAGE(diagnostics) STAGE(totals)
 // clang-format on
 

@@ -18,10 +18,6 @@ bool is_finite(const Snapshot& snapshot, size_t i) {
          std::isfinite(snapshot.pressure[i]);
 }
 
-bool is_lost(const Params& params, Vec2 x) {
-  return x.x < params.domain_min.x || x.x > params.domain_max.x || x.y < params.domain_min.y;
-}
-
 bool too_fast(const StepReport& report) { return report.diagnostics.cfl > largest_cfl; }
 
 bool too_many_lost(const StepReport& report, const Params& params) {

@@ -60,10 +60,13 @@ void copy_converted(std::span<const From> from, std::span<To> to, Field field) {
 template <class Real>
 class CpuBackend final : public Backend {
  public:
-  explicit CpuBackend(int threads) { state_.threads = threads; }
+  explicit CpuBackend(int threads) : threads_(threads) {}
 
   void allocate(FieldSet fields, const Sizes& sizes) override {
     state_.sizes = sizes;
+    // A thread pays for itself only with some work to do.
+    const uint64_t useful = sizes.fluid / particles_per_thread + 1;
+    state_.threads = static_cast<int>(std::min<uint64_t>(static_cast<uint64_t>(threads_), useful));
     try {
       for (uint32_t i = 0; i < field_count; ++i) {
         const Field field = static_cast<Field>(i);
@@ -163,9 +166,12 @@ class CpuBackend final : public Backend {
   Precision precision() const override {
     return std::is_same_v<Real, double> ? Precision::double_ : Precision::single_;
   }
-  int threads() const override { return state_.threads; }
+  int threads() const override { return threads_; }
 
  private:
+  static constexpr uint64_t particles_per_thread = 500;
+
+  int threads_;
   State<Real> state_;
   std::array<double, stage_count> seconds_{};
 };

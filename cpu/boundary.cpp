@@ -11,7 +11,7 @@ namespace sluice::cpu {
 template <class Real>
 void boundary(State<Real>& state) {
   const ParamsOf<Real>& params = state.params;
-  const bool viscous = state.needs.laplacian;
+  const bool viscous = state.needs.laplacian, linear_system = state.needs.linear_system;
   for_each_index(params.n, state.threads, [&](uint32_t i) {
     const glm::vec<2, Real> x_i = state.x[i];
     Real W{}, squares{};
@@ -35,7 +35,7 @@ void boundary(State<Real>& state) {
     });
     state.wall_density[i] = params.m * W;
     state.wall_gradient[i] = params.m * gradient;
-    state.wall_gradient_squares[i] = params.m * params.m * squares;
+    if (linear_system) state.wall_gradient_squares[i] = params.m * params.m * squares;
     if (viscous) state.wall_viscosity[i] = params.m * tensor;
   });
 }

@@ -2,17 +2,10 @@
 // squared, position and force on the walls, the number of lost particles, and the largest compression and
 // speed squared. Densities and pressures are those of the step, positions and velocities those at its end.
 // The force on the walls is minus the boundary term of the pressure force.
+#include "cpu/fold.hpp"
 #include "cpu/stages.hpp"
 
 namespace sluice::cpu {
-namespace {
-
-template <class Real>
-bool outside(const ParamsOf<Real>& params, glm::vec<2, Real> x) {
-  return x.x < params.domain_min.x || x.x > params.domain_max.x || x.y < params.domain_min.y;
-}
-
-}  // namespace
 
 template <class Real>
 void diagnostics(State<Real>& state) {
@@ -37,9 +30,9 @@ void diagnostics(State<Real>& state) {
         at(Total::wall_force_x) += force.x;
         at(Total::wall_force_y) += force.y;
       }
-      if (outside(params, x)) at(Total::lost) += Real(1);
-      at(Total::max_compression) = std::max(at(Total::max_compression), compression);
-      at(Total::max_speed_squared) = std::max(at(Total::max_speed_squared), speed_squared);
+      if (is_lost(params, x)) at(Total::lost) += Real(1);
+      at(Total::max_compression) = larger(at(Total::max_compression), compression);
+      at(Total::max_speed_squared) = larger(at(Total::max_speed_squared), speed_squared);
     }
     for (uint32_t total = 0; total < total_count; ++total)
       state.diagnostic_sums[total * chunks + chunk] = sums[total];

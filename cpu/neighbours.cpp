@@ -5,13 +5,18 @@
 // that a slice is as long as the longest of its lists. Each thread fills its own part of the list from the
 // front. If a part is too short, searching goes on without storing, and list_needed says how large the list
 // has to be.
-#include <omp.h>
+#include <algorithm>
+#include <array>
 
 #include "cpu/kernel.hpp"
 #include "cpu/stages.hpp"
 
 namespace sluice::cpu {
 namespace {
+
+/// Candidates looked at together: their distances are compared without branches, which a processor could not
+/// foresee.
+constexpr uint32_t block_size = 32;
 
 /// Stores the neighbours of particle i from entry `first` on while they are before `end`; returns their
 /// number.
@@ -21,18 +26,27 @@ uint32_t search(State<Real>& state, uint32_t i, uint64_t first, uint64_t end) {
   const glm::vec<2, Real> x_i = state.x[i];
   const uint64_t lane = first % slice_width;
   uint32_t count = 0;
+  const auto store = [&](uint32_t j) {
+    const uint64_t entry = first + uint64_t{slice_width} * count++;
+    if (entry >= end) return;
+    const glm::vec<2, Real> x_ij = x_i - state.x[j];
+    const glm::vec<2, Real> dW = kernel_gradient(params, x_ij, glm::length(x_ij));
+    const uint64_t block = 2 * entry - lane;
+    state.index[entry] = j;
+    state.gradient[block] = dW.x;
+    state.gradient[block + slice_width] = dW.y;
+  };
   for_each_row(state.C, params.columns, cell_of(params, x_i), [&](uint32_t row_first, uint32_t row_last) {
-    for (uint32_t j = row_first; j < row_last; ++j) {
-      const glm::vec<2, Real> x_ij = x_i - state.x[j];
-      const Real r_squared = glm::dot(x_ij, x_ij);
-      if (!(r_squared < params.support_squared) || j == i) continue;
-      const uint64_t entry = first + uint64_t{slice_width} * count++;
-      if (entry >= end) continue;
-      const glm::vec<2, Real> dW = kernel_gradient(params, x_ij, std::sqrt(r_squared));
-      const uint64_t block = 2 * entry - lane;
-      state.index[entry] = j;
-      state.gradient[block] = dW.x;
-      state.gradient[block + slice_width] = dW.y;
+    for (uint32_t block = row_first; block < row_last; block += block_size) {
+      std::array<uint32_t, block_size> found;
+      uint32_t found_count = 0;
+      for (uint32_t j = block; j < std::min(block + block_size, row_last); ++j) {
+        const glm::vec<2, Real> x_ij = x_i - state.x[j];
+        found[found_count] = j;
+        found_count += static_cast<uint32_t>(glm::dot(x_ij, x_ij) < params.support_squared) &
+                       static_cast<uint32_t>(j != i);
+      }
+      for (uint32_t k = 0; k < found_count; ++k) store(found[k]);
     }
   });
   return count;

@@ -1,4 +1,4 @@
-// Gathers the state in cell order, so that neighbours in space are neighbours in memory.
+// Gathers ids, positions and velocities in cell order, so that neighbours in space are neighbours in memory.
 #include "cpu/stages.hpp"
 
 namespace sluice::cpu {
@@ -10,7 +10,6 @@ void reorder(State<Real>& state) {
     state.id[i] = state.id_in[from];
     state.x[i] = state.x_in[from];
     state.v[i] = state.v_in[from];
-    state.p[i] = state.p_in[from];
   });
 }
 

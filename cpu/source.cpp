@@ -1,7 +1,5 @@
-// IISPH: source of the pressure system and the pressure to start from [Hunkler 2022, eq. 5.17; Ihmsen et al.
-// 2014]:
-//   s_i = w (rho0 - rho_i) - dt ( m sum_j (v*_i - v*_j).dW_ij + v*_i.B_i ),   p := warm_start p,   q =
-//   p/rho^2
+// IISPH: source of the pressure system [Hunkler 2022, eq. 5.17; Ihmsen et al. 2014]:
+//   s_i = w (rho0 - rho_i) - dt ( m sum_j (v*_i - v*_j).dW_ij + v*_i.B_i )
 // with source weight w, 1 in the thesis.
 #include "cpu/stages.hpp"
 
@@ -18,10 +16,7 @@ void source(State<Real>& state) {
                        [&](uint32_t j, glm::vec<2, Real> dW) { sum += glm::dot(v_i - state.v_star[j], dW); });
     sum = params.m * sum;
     if (walls) sum += glm::dot(v_i, state.wall_gradient[i]);
-    const Real rho = state.rho[i];
-    state.s[i] = params.source_weight * (params.rho0 - rho) - params.dt * sum;
-    state.p[i] = params.warm_start * state.p[i];
-    state.q[i] = state.p[i] / (rho * rho);
+    state.s[i] = params.source_weight * (params.rho0 - state.rho[i]) - params.dt * sum;
   });
 }
 

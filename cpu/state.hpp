@@ -41,7 +41,7 @@ struct State {
   ParamsOf<Real> params;
   Needs needs;
   Sizes sizes;
-  int threads = 1;
+  int threads = 1;  ///< the same for every stage: changing the size of a team costs more than a small stage
 
 #define FIELD(name, type, length, unit, meaning) \
   std::vector<typename ElementOf<Real, Type::type>::element> name;
@@ -49,12 +49,11 @@ struct State {
 #undef FIELD
 };
 
-/// Calls f(i) for all i < n. Who runs which i does not matter: f writes only what belongs to i. `work` says
-/// how many particles an i stands for, so that threads are used only where they pay.
+/// Calls f(i) for all i < n on `threads` threads. Who runs which i does not matter: f writes only what
+/// belongs to i.
 template <class F>
-void for_each_index(uint64_t n, int threads, F&& f, uint64_t work = 1) {
-  const int useful = static_cast<int>(std::min<uint64_t>(static_cast<uint64_t>(threads), n * work / 256 + 1));
-#pragma omp parallel for num_threads(useful) schedule(static)
+void for_each_index(uint64_t n, int threads, F&& f) {
+#pragma omp parallel for num_threads(threads) schedule(static)
   for (int64_t i = 0; i < static_cast<int64_t>(n); ++i) f(static_cast<uint32_t>(i));
 }
 
@@ -64,7 +63,7 @@ void for_each_chunk(uint32_t n, int threads, F&& f) {
   const auto call = [&](uint32_t chunk) {
     f(chunk, chunk * chunk_width, std::min((chunk + 1) * chunk_width, n));
   };
-  for_each_index((uint64_t{n} + chunk_width - 1) / chunk_width, threads, call, chunk_width);
+  for_each_index((uint64_t{n} + chunk_width - 1) / chunk_width, threads, call);
 }
 
 /// Calls f(j, dW_ij) for the neighbours j of particle i, in the order of the list.

@@ -9,9 +9,8 @@ void totals(State<Real>& state) {
   const uint64_t chunks = state.sizes.chunks();
   for (uint32_t total = 0; total < total_count; ++total) {
     const Real* values = state.diagnostic_sums.data() + total * chunks;
-    state.totals[total] = total < first_max_total
-                              ? fold(values, chunks, [](Real a, Real b) { return a + b; })
-                              : fold(values, chunks, [](Real a, Real b) { return std::max(a, b); });
+    state.totals[total] = total < first_max_total ? fold(values, chunks, [](Real a, Real b) { return a + b; })
+                                                  : fold(values, chunks, larger<Real>);
   }
 }
 

@@ -1,19 +1,21 @@
-// A step allocates nothing, once the run has started.
+// A step allocates nothing once the run has started, and a run takes the memory it was said to need.
 #include <gtest/gtest.h>
 
 #include <atomic>
 #include <cstdlib>
 #include <new>
 
+#include "core/memory.hpp"
 #include "tests/support/simulation.hpp"
 
 namespace {
-std::atomic<uint64_t> allocations = 0;
+std::atomic<uint64_t> allocations = 0, allocated_bytes = 0;
 }
 
 // The whole test program counts; only the differences below matter.
 [[gnu::noinline]] void* operator new(size_t size) {
   ++allocations;
+  allocated_bytes += size;
   if (void* memory = std::malloc(size)) return memory;
   throw std::bad_alloc();
 }
@@ -39,6 +41,26 @@ TEST(Allocations, StepsAfterTheFirstMakeNone) {
       const uint64_t before = allocations;
       for (int step = 0; step < 300; ++step) simulation.simulator->step();
       EXPECT_EQ(allocations.load(), before) << method << ", " << threads << " threads";
+    }
+  }
+}
+
+TEST(Allocations, BackendTakesWhatWasForeseen) {
+  for (const char* name : {"leaking_dam", "falling_from_platform"}) {
+    for (const char* method : {"iisph", "ssph"}) {
+      const Scene scene = shipped(name, {std::string("pressure.method=") + method});
+      const Samples samples = sample(scene);
+      const Params params = make_params(scene, static_cast<uint32_t>(samples.fluid.size()));
+      const Sizes sizes{samples.fluid.size(), samples.boundary.size(), uint64_t{params.columns} * params.rows,
+                        first_list_size(samples.fluid.size(), scene.smoothing)};
+      const auto backend = cpu::make_backend(Precision::double_, 1);
+      const uint64_t before = allocated_bytes;
+      backend->allocate(make_plan(needs_of(scene)).fields(), sizes);
+      const double taken = static_cast<double>(allocated_bytes - before);
+      const double foreseen = memory_need(scene, Precision::double_).bytes;
+      EXPECT_GE(foreseen, taken) << name << " " << method;
+      EXPECT_LE(foreseen, 1.8 * taken)
+          << name << " " << method;  // the host's copies, and bounds on the counts
     }
   }
 }

@@ -1,9 +1,10 @@
 // Reductions: every value once, in a fixed tree of groups of 64.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <vector>
 
-#include "core/sampling.hpp"
+#include "core/random.hpp"
 #include "cpu/fold.hpp"
 
 namespace sluice::test {
@@ -47,6 +48,17 @@ TEST(Fold, LargestIsFoundAnywhere) {
     values[at] = 3;
     EXPECT_EQ(cpu::fold(values.data(), 5000, [](double a, double b) { return std::max(a, b); }), 3);
   }
+}
+
+TEST(Fold, LargerKeepsNaN) {
+  const double nan = std::nan("");
+  EXPECT_EQ(cpu::larger(1.0, 2.0), 2);
+  EXPECT_EQ(cpu::larger(2.0, 1.0), 2);
+  EXPECT_TRUE(std::isnan(cpu::larger(1.0, nan)));
+  EXPECT_TRUE(std::isnan(cpu::larger(nan, 1.0)));
+  std::vector<double> values(5000, 1.0);
+  values[4321] = nan;
+  EXPECT_TRUE(std::isnan(cpu::fold(values.data(), 5000, cpu::larger<double>)));
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/sampling.hpp"
+#include "core/random.hpp"
 #include "tests/support/search.hpp"
 
 namespace sluice::test {
@@ -42,7 +42,7 @@ TEST(Grid, EveryParticleStandsOnceInItsCellById) {
 }
 
 TEST(Grid, PaddingCellsAreEmptyWhereverParticlesGo) {
-  const auto params = make_params(open_scene(10), 1, 0).to<float>();
+  const auto params = make_params(open_scene(10), 1).to<float>();
   const float huge = std::numeric_limits<float>::max(), infinity = std::numeric_limits<float>::infinity();
   for (const float x : {-infinity, -huge, -1.0f, 0.0f, 7.0f, 20.0f, 1e9f, huge, infinity,
                         std::numeric_limits<float>::quiet_NaN()}) {
@@ -57,7 +57,7 @@ TEST(Grid, PaddingCellsAreEmptyWhereverParticlesGo) {
 }
 
 TEST(Grid, CellsGrowWithPosition) {
-  const auto params = make_params(open_scene(50), 1, 0).to<float>();
+  const auto params = make_params(open_scene(50), 1).to<float>();
   uint32_t last = 0;
   for (float x = -10; x < 120; x += 0.01f) {
     const uint32_t column = cell_of(params, glm::vec2(x, 1)) % params.columns;

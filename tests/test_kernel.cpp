@@ -18,7 +18,7 @@ Params params_with(double h, double smoothing) {
   scene.smoothing = smoothing;
   scene.rest_density = 2;
   scene.domain_max = {10 * h, 10 * h};
-  return make_params(scene, 1, 0);
+  return make_params(scene, 1);
 }
 
 const Params params = params_with(1, H);

@@ -44,22 +44,6 @@ TEST(Memory, CountsBeyond32BitsAreRefusedHoweverMuchMemoryThereIs) {
             std::string::npos);
 }
 
-TEST(Memory, NeedIsWhatTheBackendTakes) {
-  const Scene scene = shipped("breaking_dam");
-  const Plan plan = make_plan(needs_of(scene));
-  Sizes sizes{660, 591, 0, first_list_size(660, 1)};
-  double bytes = 0;
-  for (uint32_t i = 0; i < field_count; ++i) {
-    const FieldInfo& field = field_table[i];
-    if (!plan.fields().has(static_cast<Field>(i)) || field.length == Length::cells ||
-        field.length == Length::boundary) {
-      continue;
-    }
-    bytes += double(element_bytes(field.type, 8)) * double(sizes.of(field.length));
-  }
-  EXPECT_NEAR(memory_need(scene, Precision::double_).per_particle * 660 / bytes, 1, 0.1);
-}
-
 TEST(Memory, ThisMachineHasSome) {
   EXPECT_GT(available_memory(), 1e8);
   EXPECT_TRUE(std::isfinite(available_memory()));

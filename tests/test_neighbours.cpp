@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/sampling.hpp"
+#include "core/random.hpp"
 #include "tests/support/search.hpp"
 
 namespace sluice::test {

@@ -150,8 +150,7 @@ TEST(Needs, ViscosityStageWithCoefficientZeroAddsNothing) {
   Scene scene = shipped("breaking_dam", {"fluid.jitter=0.1"});
   Simulation simulation(scene);
   simulation.run(few_steps);
-  Params params = make_params(scene, static_cast<uint32_t>(simulation.samples.fluid.size()),
-                              static_cast<uint32_t>(simulation.samples.boundary.size()));
+  Params params = make_params(scene, static_cast<uint32_t>(simulation.samples.fluid.size()));
   params.nu = 0;
   simulation.backend->configure(params, needs_of(scene));
   std::vector<double> before(2 * simulation.samples.fluid.size()), after(before);

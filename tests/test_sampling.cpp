@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/error.hpp"
+#include "core/random.hpp"
 #include "tests/support/simulation.hpp"
 
 namespace sluice::test {
@@ -166,6 +167,14 @@ TEST(Sampling, CoincidingFluidIsRefused) {
   EXPECT_NE(refusal(scene_with(small_fluid + small_fluid))
                 .find("within half a spacing of fluid.rect.0 at (10, 10)"),
             std::string::npos);
+}
+
+TEST(Sampling, PlacesTooFarFromTheOriginAreRefused) {
+  for (const std::string place : {"1e30", "1e17", "-1e13"}) {
+    const std::string message =
+        refusal(scene_with("[[fluid.rect]]\nmin = [" + place + ", 0]\ncount = [2, 2]\n"));
+    EXPECT_NE(message.find("fluid.rect.0: found a sample at"), std::string::npos) << message;
+  }
 }
 
 TEST(Sampling, ShapeWithoutAParticleIsRefused) {

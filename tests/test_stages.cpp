@@ -74,6 +74,17 @@ void expect_written_before_read(const Plan& plan) {
   }
 }
 
+// OpenGL 4.3 promises a compute shader eight storage blocks and no more.
+TEST(StageTable, NoStageUsesMoreThanEightFields) {
+  for (const StageInfo& stage : stage_table()) {
+    const FieldSet fields = stage.reads | stage.writes;
+    int used = 0;
+    for (uint32_t f = 0; f < field_count; ++f) used += fields.has(static_cast<Field>(f)) ? 1 : 0;
+    EXPECT_LE(used, 8) << stage.name;
+    EXPECT_GE(used, 1) << stage.name;
+  }
+}
+
 TEST(Plan, NothingIsReadBeforeItIsWritten) {
   for (const Needs& needs : all_needs()) {
     expect_written_before_read(make_plan(needs));
@@ -91,7 +102,7 @@ TEST(Plan, HasEachModelExactlyWhenItIsNeeded) {
     EXPECT_EQ(has(plan, Stage::boundary), needs.boundary);
     EXPECT_EQ(has(plan, Stage::viscosity), needs.laplacian);
     EXPECT_EQ(has(plan, Stage::state_equation), needs.state_equation);
-    for (const Stage stage : {Stage::diagonal, Stage::source, Stage::pressure_operator,
+    for (const Stage stage : {Stage::diagonal, Stage::source, Stage::warm_start, Stage::pressure_operator,
                               Stage::pressure_update, Stage::residual}) {
       EXPECT_EQ(has(plan, stage), needs.linear_system) << info(stage).name;
     }
@@ -114,6 +125,8 @@ TEST(Plan, AllocatesNothingThatNoStageUses) {
   inviscid.boundary = true;
   EXPECT_TRUE(make_plan(inviscid).fields().has(Field::wall_gradient));
   EXPECT_FALSE(make_plan(inviscid).fields().has(Field::wall_viscosity));
+  EXPECT_FALSE(make_plan(inviscid).fields().has(Field::wall_gradient_squares))
+      << "only the diagonal reads it";
 }
 
 }  // namespace

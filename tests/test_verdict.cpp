@@ -18,7 +18,7 @@ Params params_of(uint32_t n) {
   scene.spacing = 1;
   scene.rest_density = 1;
   scene.domain_max = {10, 10};
-  return make_params(scene, n, 0);
+  return make_params(scene, n);
 }
 
 Snapshot at_rest(size_t n) {

@@ -17,8 +17,7 @@ Simulation moving_dam() {
 }
 
 bench::Yardstick yardstick_of(const Simulation& simulation) {
-  const Params params = make_params(simulation.scene, static_cast<uint32_t>(simulation.samples.fluid.size()),
-                                    static_cast<uint32_t>(simulation.samples.boundary.size()));
+  const Params params = make_params(simulation.scene, static_cast<uint32_t>(simulation.samples.fluid.size()));
   return {*simulation.backend, params, simulation.samples};
 }
 

@@ -22,6 +22,7 @@ namespace sluice {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+constexpr double most_frames = 1e6;  // frame names have six digits
 
 volatile std::sig_atomic_t stop_requested = 0;
 extern "C" void request_stop(int) { stop_requested = 1; }
@@ -52,6 +53,15 @@ uint64_t step_count(const RunOptions& options, const Scene& scene) {
                     scene.file, steps));
   }
   return static_cast<uint64_t>(steps);
+}
+
+void limit_frames(const RunOptions& options, const Scene& scene, uint64_t steps) {
+  const double frames = static_cast<double>(steps) * scene.dt * scene.fps;
+  if (!options.frames || frames <= most_frames) return;
+  throw InputError(
+      fmt::format("{}: output.fps: found {:g}, which makes {:.3g} pictures, expected at most {:g}; use a "
+                  "lower --fps or a shorter --time",
+                  scene.file, scene.fps, frames, most_frames));
 }
 
 /// The files of a run. All are opened before the first step, so that a folder that is not there is known at
@@ -132,13 +142,14 @@ int report_end(const RunSummary& summary, uint64_t steps, bool quiet) {
 int run_command(const RunOptions& options) {
   const Scene scene = load_scene(options.scene, options.overrides);
   const uint64_t steps = step_count(options, scene);
+  limit_frames(options, scene, steps);
   const std::unique_ptr<Backend> backend = choose_backend(options);
   require_memory(scene, options.precision, available_memory());
   const Samples samples = sample(scene);
 
-  std::signal(SIGINT, request_stop);
-  std::signal(SIGTERM, request_stop);
   Simulator simulator(scene, samples, *backend);  // may refuse the scene: then nothing is written
+  std::signal(SIGINT, request_stop);              // from here on there is something to finish
+  std::signal(SIGTERM, request_stop);
   Outputs outputs(options, scene, samples, options.precision);
   RunStatistics statistics;
   RunSummary summary{scene, samples, *backend, simulator, statistics};

@@ -25,8 +25,6 @@ class FrameOutput {
   /// Returns when all pictures are on disk.
   void finish();
 
-  uint64_t count() const { return count_; }
-
  private:
   struct Drawing;
   const Scene& scene_;

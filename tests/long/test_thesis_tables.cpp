@@ -49,8 +49,9 @@ TEST_P(LeakingDamTable, AverageIterationsAreNearThePublishedOnes) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Table62, LeakingDamTable,
-                         testing::Values(Row{0.004, 2.00, 0.1}, Row{0.01, 10.24, 0.1},
-                                         Row{0.02, 38.82, 0.1}));
+                         testing::Values(Row{0.004, 2.00, 0.1}, Row{0.005, 2.76, 0.1}, Row{0.006, 3.97, 0.1},
+                                         Row{0.008, 6.87, 0.1}, Row{0.01, 10.24, 0.1}, Row{0.012, 14.61, 0.1},
+                                         Row{0.015, 22.53, 0.1}, Row{0.02, 38.82, 0.1}));
 
 TEST(StateEquation, BreakingDamIsStableAtTheThesissTimeStep) {
   const RunStatistics statistics = whole_run("breaking_dam", {"pressure.method=ssph", "time.dt=0.01"});

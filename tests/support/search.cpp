@@ -18,7 +18,7 @@ cpu::State<Real> searched(const Scene& scene, const std::vector<Vec2>& positions
                           uint64_t list_entries) {
   const auto n = static_cast<uint32_t>(positions.size());
   cpu::State<Real> state;
-  state.params = make_params(scene, n, 0).to<Real>();
+  state.params = make_params(scene, n).to<Real>();
   state.threads = threads;
   state.sizes = {n, 0, uint64_t{state.params.columns} * state.params.rows,
                  list_entries > 0 ? list_entries : uint64_t{n + 16} * (n + 16) + 64};
@@ -58,7 +58,7 @@ std::vector<std::set<uint32_t>> neighbour_sets(const cpu::State<Real>& state) {
 
 template <class Real>
 std::vector<std::set<uint32_t>> all_pairs(const Scene& scene, const std::vector<Vec2>& positions) {
-  const auto params = make_params(scene, 1, 0).to<Real>();
+  const auto params = make_params(scene, 1).to<Real>();
   std::vector<std::set<uint32_t>> sets(positions.size());
   for (uint32_t i = 0; i < positions.size(); ++i) {
     for (uint32_t j = 0; j < positions.size(); ++j) {
