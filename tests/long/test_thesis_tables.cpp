@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <ostream>
 
 #include "core/summary.hpp"
 #include "tests/support/run_program.hpp"
@@ -14,6 +15,8 @@ namespace {
 struct Row {
   double dt, iterations, tolerance;
 };
+
+void PrintTo(const Row& row, std::ostream* out) { *out << "dt " << row.dt; }
 
 /// Runs a scene to its end in double.
 RunStatistics whole_run(const std::string& scene, const std::vector<std::string>& overrides) {
