@@ -52,9 +52,16 @@ std::string read_file(const std::string& path) {
   if (fs::exists(scene, error))
     throw InputError(one_line(fmt::format("{}: found a {}, expected a scene file", scene,
                                           fs::is_directory(scene, error) ? "directory" : "special file")));
+  const std::vector<std::string> names = shipped_scenes();
+  if (names.empty())
+    throw InputError(
+        one_line(fmt::format("{}: found no such file, expected the path of a scene file; the shipped scenes "
+                             "are not where they were built "
+                             "({}) nor beside the program",
+                             scene, SLUICE_SCENE_DIR)));
   throw InputError(
       one_line(fmt::format("{}: found no such file, expected the path of a scene file or one of {}", scene,
-                           fmt::join(shipped_scenes(), ", "))));
+                           fmt::join(names, ", "))));
 }
 
 std::string find_scene(const std::string& scene) {

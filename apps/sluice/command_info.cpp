@@ -32,8 +32,8 @@ void print_stages(std::string_view title, const std::vector<Stage>& stages) {
   for (const Stage stage : stages) fmt::print("    {:<24}{}\n", info(stage).name, info(stage).equation);
 }
 
-void print_scene(const std::string& name) {
-  const Scene scene = load_scene(name);
+void print_scene(const std::string& name, const std::vector<std::string>& overrides) {
+  const Scene scene = load_scene(name, overrides);
   require_memory(scene, Precision::double_, available_memory());
   const Samples samples = sample(scene);
   fmt::print("{} ({})\n", scene.title, scene.file);
@@ -61,9 +61,9 @@ void print_scene(const std::string& name) {
 
 }  // namespace
 
-int info_command(const std::optional<std::string>& scene) {
+int info_command(const std::optional<std::string>& scene, const std::vector<std::string>& overrides) {
   if (scene)
-    print_scene(*scene);
+    print_scene(*scene, overrides);
   else
     print_machine();
   return 0;

@@ -5,10 +5,13 @@
 #include <cmath>
 #include <csignal>
 #include <cstdio>
+#include <filesystem>
+#include <map>
 
 #include "apps/sluice/commands.hpp"
 #include "apps/sluice/frames.hpp"
 #include "apps/sluice/progress.hpp"
+#include "apps/sluice/warnings.hpp"
 #include "core/error.hpp"
 #include "core/memory.hpp"
 #include "core/scene_file.hpp"
@@ -64,6 +67,24 @@ void limit_frames(const RunOptions& options, const Scene& scene, uint64_t steps)
                   scene.file, scene.fps, frames, most_frames));
 }
 
+/// A file may be written once, and not over the scene.
+void refuse_clashes(const RunOptions& options, const Scene& scene) {
+  std::map<std::filesystem::path, std::string> taken;
+  const auto take = [&](const std::filesystem::path& path, const std::string& what) {
+    std::error_code error;
+    if (std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error))
+      return;  // /dev/stdout
+    const auto [other, fresh] = taken.try_emplace(std::filesystem::weakly_canonical(path, error), what);
+    if (fresh) return;
+    throw InputError(fmt::format("{}: found {}, which is {} too, expected a file of its own", what,
+                                 path.string(), other->second));
+  };
+  take(scene.file, "the scene");
+  if (options.state) take(*options.state, "--state");
+  if (options.series) take(*options.series, "--series");
+  if (options.summary) take(*options.summary, "--summary");
+}
+
 /// The files of a run. All are opened before the first step, so that a folder that is not there is known at
 /// once.
 class Outputs {
@@ -100,6 +121,16 @@ class Outputs {
     if (frames_) frames_->finish();
   }
 
+  void tell_of_frames(const RunOptions& options) const {
+    if (!frames_ || options.quiet) return;
+    fmt::print("{} pictures in {}\n", frames_->count(), options.frames->string());
+    if (const uint64_t older = frames_->older_pictures(); older > 0) {
+      warn(options.quiet,
+           fmt::format("{} more pictures in {} are from an earlier run; delete them before making a film",
+                       older, options.frames->string()));
+    }
+  }
+
  private:
   Precision precision_;
   std::optional<OutputFile> state_, summary_;
@@ -126,10 +157,13 @@ void simulate(Simulator& simulator, uint64_t steps, Outputs& outputs, Progress& 
 int report_end(const RunSummary& summary, uint64_t steps, bool quiet) {
   if (!quiet) fmt::print("{}", to_text(summary));
   if (const auto& failure = summary.simulator.failure()) {
-    fmt::print(stderr, "sluice: invalid run: {} at step {}, time {:g}, particle {} near ({:g}, {:g})\n",
+    fmt::print(stderr,
+               "sluice: invalid run: {} at step {}, time {:g}, particle {} near ({:g}, {:g}); a smaller "
+               "time.dt often helps\n",
                failure->reason, failure->step, failure->time, failure->id, failure->x.x, failure->x.y);
     return 1;
   }
+  warn_of_poor_run(summary.statistics, quiet);
   if (stop_requested != 0) {
     fmt::print(stderr, "sluice: interrupted after step {} of {}; what was asked for is written up to there\n",
                summary.simulator.steps(), steps);
@@ -143,9 +177,11 @@ int run_command(const RunOptions& options) {
   const Scene scene = load_scene(options.scene, options.overrides);
   const uint64_t steps = step_count(options, scene);
   limit_frames(options, scene, steps);
+  refuse_clashes(options, scene);
   const std::unique_ptr<Backend> backend = choose_backend(options);
   require_memory(scene, options.precision, available_memory());
   const Samples samples = sample(scene);
+  warn_of_viscous_limit(scene, options.quiet);
 
   Simulator simulator(scene, samples, *backend);  // may refuse the scene: then nothing is written
   std::signal(SIGINT, request_stop);              // from here on there is something to finish
@@ -163,7 +199,9 @@ int run_command(const RunOptions& options) {
     }
   }
   outputs.finish(summary);
-  return report_end(summary, steps, options.quiet);
+  const int code = report_end(summary, steps, options.quiet);
+  outputs.tell_of_frames(options);
+  return code;
 }
 
 }  // namespace sluice

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "apps/sluice/options.hpp"
 
@@ -10,6 +11,6 @@ namespace sluice {
 
 int run_command(const RunOptions& options);
 int scenes_command(bool keys);
-int info_command(const std::optional<std::string>& scene);
+int info_command(const std::optional<std::string>& scene, const std::vector<std::string>& overrides);
 
 }  // namespace sluice

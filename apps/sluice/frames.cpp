@@ -31,6 +31,8 @@ std::pair<double, double> colour_range(const Scene& scene, const Samples& sample
   return {0, scene.rest_density * g * (height(*high) - height(*low) + scene.spacing)};
 }
 
+std::string frame_name(uint64_t k) { return fmt::format("frame_{:06}.png", k); }
+
 std::vector<double> colour_values(const Scene& scene, const Snapshot& snapshot, double dt) {
   std::vector<double> values(snapshot.x.size());
   for (size_t i = 0; i < values.size(); ++i) {
@@ -83,6 +85,12 @@ FrameOutput::FrameOutput(const Scene& scene, const Samples& samples, const std::
 
 FrameOutput::~FrameOutput() = default;
 
+uint64_t FrameOutput::older_pictures() const {
+  uint64_t older = 0;
+  for (uint64_t k = count_; std::filesystem::exists(folder_ / frame_name(k)); ++k) ++older;
+  return older;
+}
+
 void FrameOutput::show(const Simulator& simulator, const StepReport& report, double seconds_per_step) {
   const auto due = [&] { return report.time >= static_cast<double>(count_) / scene_.fps - 1e-9; };
   if (!due()) return;
@@ -96,7 +104,7 @@ void FrameOutput::show(const Simulator& simulator, const StepReport& report, dou
   frame.text = overlay_text(scene_, samples_, report, overlay_, seconds_per_step);
   frame.colour_bar = scene_.colour != Colour::speed && overlay_ != OverlayChoice::none;
   const Image image = drawing_->renderer.draw(frame);
-  for (; due(); ++count_) drawing_->writer.write(folder_ / fmt::format("frame_{:06}.png", count_), image);
+  for (; due(); ++count_) drawing_->writer.write(folder_ / frame_name(count_), image);
 }
 
 void FrameOutput::finish() { drawing_->writer.finish(); }

@@ -25,6 +25,10 @@ class FrameOutput {
   /// Returns when all pictures are on disk.
   void finish();
 
+  uint64_t count() const { return count_; }  ///< pictures so far
+  /// Pictures of an earlier, longer run that follow this run's own in the folder.
+  uint64_t older_pictures() const;
+
  private:
   struct Drawing;
   const Scene& scene_;

@@ -48,7 +48,10 @@ int dispatch(int argc, char** argv) {
 
   std::optional<std::string> scene;
   auto* information = app.add_subcommand("info", "Show what this machine offers, or how a scene is run");
-  information->add_option("SCENE", scene, "A scene file, or the name of a shipped scene");
+  auto* shown = information->add_option("SCENE", scene, "A scene file, or the name of a shipped scene");
+  std::vector<std::string> changes;
+  sluice::declare_overrides(*information, changes);
+  information->get_option("--set")->needs(shown);
 
   for (const char* name : {"agree", "play", "export", "study"}) {
     auto* later = app.add_subcommand(name, "Not available yet")->group("Not available yet")->prefix_command();
@@ -67,7 +70,7 @@ int dispatch(int argc, char** argv) {
   }
   if (run->parsed()) return sluice::run_command(options);
   if (scenes->parsed()) return sluice::scenes_command(keys);
-  return sluice::info_command(scene);
+  return sluice::info_command(scene, changes);
 }
 
 }  // namespace

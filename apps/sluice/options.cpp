@@ -142,15 +142,19 @@ void add_picture_options(CLI::App& app, RunOptions& options) {
 
 }  // namespace
 
-void declare_run_options(CLI::App& app, RunOptions& options) {
-  options.threads = cpu::hardware_threads();
-  app.add_option("SCENE", options.scene, "A scene file, or the name of a shipped scene (`sluice scenes`)")
-      ->required();
-  app.add_option("--set", options.overrides,
+void declare_overrides(CLI::App& app, std::vector<std::string>& overrides) {
+  app.add_option("--set", overrides,
                  "Change a key of the scene, as in --set pressure.method=ssph; repeatable")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+void declare_run_options(CLI::App& app, RunOptions& options) {
+  options.threads = cpu::hardware_threads();
+  app.add_option("SCENE", options.scene, "A scene file, or the name of a shipped scene (`sluice scenes`)")
+      ->required();
+  declare_overrides(app, options.overrides);
   add_choice<BackendChoice>(
       app, "--backend", [&](BackendChoice backend) { options.backend = backend; },
       {{"auto", BackendChoice::automatic}, {"cpu", BackendChoice::cpu}, {"gpu", BackendChoice::gpu}},

@@ -32,6 +32,9 @@ struct RunOptions {
   bool quiet = false;
 };
 
+/// Declares --set KEY=VALUE, repeatable.
+void declare_overrides(CLI::App& app, std::vector<std::string>& overrides);
+
 /// Declares the options of `sluice run` on `app`; `options` is filled when the command line is parsed.
 void declare_run_options(CLI::App& app, RunOptions& options);
 

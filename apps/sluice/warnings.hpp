@@ -1,0 +1,20 @@
+// What a user should know of a run that is valid and yet may not be worth much.
+#pragma once
+
+#include <string>
+
+#include "core/scene.hpp"
+#include "core/summary.hpp"
+
+namespace sluice {
+
+/// One line on standard error, unless `quiet`.
+void warn(bool quiet, const std::string& message);
+
+/// What is known to go wrong before the first step: an explicit viscosity beyond its limit.
+void warn_of_viscous_limit(const Scene& scene, bool quiet);
+
+/// Steps that did not converge, particles that moved too far or were lost, a fluid that gives way.
+void warn_of_poor_run(const RunStatistics& statistics, bool quiet);
+
+}  // namespace sluice

@@ -1,0 +1,105 @@
+// Valid runs that may not be worth much say so, and files do not overwrite each other.
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "tests/support/run_program.hpp"
+
+namespace sluice::test {
+namespace {
+
+using Words = std::vector<std::string>;
+
+std::string warnings_of(Words more) {
+  Words words = {"run", "breaking_dam", "--backend", "cpu", "--threads", "1"};
+  words.insert(words.end(), more.begin(), more.end());
+  return run_program(words).err;
+}
+
+void expect_warning(const Words& words, const std::string& part) {
+  const std::string text = warnings_of(words);
+  EXPECT_NE(text.find("sluice: warning: "), std::string::npos) << text;
+  EXPECT_NE(text.find(part), std::string::npos) << text;
+  Words quiet = words;
+  quiet.push_back("--quiet");
+  EXPECT_EQ(warnings_of(quiet).find("warning"), std::string::npos);
+}
+
+TEST(CliWarnings, ASoundRunHasNone) { EXPECT_EQ(warnings_of({"--steps", "50"}), ""); }
+
+TEST(CliWarnings, ViscosityBeyondItsLimit) {
+  expect_warning(
+      {"--steps", "1", "--set", "viscosity.coefficient=1500"},
+      "viscosity.coefficient dt / spacing^2 is 0.94, above the limit of an explicit viscosity, about 0.5");
+  EXPECT_EQ(warnings_of({"--steps", "1", "--set", "viscosity.coefficient=799"}), "");
+}
+
+TEST(CliWarnings, StepsThatDidNotConverge) {
+  expect_warning({"--steps", "100", "--set", "pressure.iisph.max_iterations=2"},
+                 "of 100 steps did not converge");
+}
+
+TEST(CliWarnings, MovesOfMoreThanASpacing) {
+  expect_warning({"--steps", "10", "--set", "fluid.rect.0.velocity=[300,0]"}, "spacings in one step");
+}
+
+TEST(CliWarnings, AFluidThatGivesWay) {
+  expect_warning({"--steps", "300", "--set", "pressure.method=ssph", "--set", "pressure.ssph.stiffness=2e3"},
+                 "compressed by");
+}
+
+TEST(CliWarnings, LostParticles) {
+  expect_warning({"--steps", "5", "--set", "domain.min=[30,0]"}, "particles left the domain");
+}
+
+TEST(CliWarnings, PicturesOfALongerRun) {
+  const TemporaryFolder folder;
+  const Words frames = {"--frames", folder.path.string(), "--size", "50x75", "--steps"};
+  Words longer = frames, shorter = frames;
+  longer.push_back("4");
+  shorter.push_back("2");
+  EXPECT_EQ(warnings_of(longer), "");
+  EXPECT_NE(
+      warnings_of(shorter).find("2 more pictures in " + folder.path.string() + " are from an earlier run"),
+      std::string::npos);
+}
+
+TEST(CliClashes, OneFileForTwoOutputsIsRefused) {
+  const TemporaryFolder folder;
+  const std::string file = folder / "both.csv";
+  const ProgramResult result = run_program({"run", "breaking_dam", "--state", file, "--series", file});
+  EXPECT_EQ(result.code, 2);
+  EXPECT_EQ(result.err.substr(result.err.find("sluice: --")),
+            "sluice: --series: found " + file + ", which is --state too, expected a file of its own\n");
+  EXPECT_FALSE(std::filesystem::exists(file));
+}
+
+TEST(CliClashes, TheSceneIsNotOverwritten) {
+  const TemporaryFolder folder;
+  const std::string scene = folder / "scene.toml";
+  std::filesystem::copy_file(std::filesystem::path(SLUICE_SOURCE_DIR) / "scenes/breaking_dam.toml", scene);
+  const std::string before = read_file(scene);
+  for (const char* option : {"--state", "--series", "--summary"}) {
+    const ProgramResult result = run_program({"run", scene, option, scene, "--steps", "1"});
+    EXPECT_EQ(result.code, 2) << option;
+    EXPECT_NE(result.err.find("which is the scene too"), std::string::npos) << result.err;
+  }
+  EXPECT_EQ(read_file(scene), before);
+}
+
+TEST(CliClashes, DevicesMayBeSharedAsUsual) {
+  EXPECT_EQ(
+      run_program({"run", "breaking_dam", "--steps", "1", "--state", "/dev/null", "--series", "/dev/null"})
+          .code,
+      0);
+}
+
+TEST(CliInfo, TakesOverrides) {
+  const ProgramResult result = run_program({"info", "breaking_dam", "--set", "particles.spacing=4"});
+  EXPECT_EQ(result.code, 0);
+  EXPECT_NE(result.out.find("particles: 2820 fluid"), std::string::npos) << result.out;
+  EXPECT_EQ(run_program({"info", "--set", "particles.spacing=4"}).code, 2);
+}
+
+}  // namespace
+}  // namespace sluice::test
