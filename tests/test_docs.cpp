@@ -31,7 +31,8 @@ TEST(Docs, EveryColumnAndKeyOfARunIsExplained) {
     std::istringstream columns(header);
     while (std::getline(columns, column, ',')) explained(column);
   }
-  for (const auto& [key, value] : nlohmann::json::parse(read_file(summary)).items()) explained(key);
+  const auto json = nlohmann::json::parse(read_file(summary));
+  for (const auto& [key, value] : json.items()) explained(key);
 }
 
 TEST(Docs, EveryLinkLeadsSomewhere) {
