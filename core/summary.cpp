@@ -5,13 +5,11 @@
 
 #include <algorithm>
 
+#include "core/larger.hpp"
 #include "core/text.hpp"
 
 namespace sluice {
 namespace {
-
-/// Largest that keeps NaN, so that a run gone bad does not report its last good value.
-double larger(double a, double b) { return b > a || b != b ? b : a; }
 
 double sweep_seconds(const RunSummary& summary) {
   double seconds = 0;

@@ -5,14 +5,9 @@
 #include <cstdint>
 
 #include "core/fields.hpp"
+#include "core/larger.hpp"
 
 namespace sluice::cpu {
-
-/// The larger of two values; unlike std::max it keeps a NaN in either place.
-template <class Real>
-Real larger(Real a, Real b) {
-  return b > a || b != b ? b : a;
-}
 
 /// Folds values[0 .. count) with `join`.
 template <class Real, class Join>

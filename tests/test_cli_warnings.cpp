@@ -94,6 +94,20 @@ TEST(CliClashes, DevicesMayBeSharedAsUsual) {
       0);
 }
 
+// The pictures fail in the middle of the run; the rows before that are not lost with them.
+TEST(CliFailedFrames, TheSeriesIsKept) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder / "frames/frame_000003.png/in_the_way");
+  const ProgramResult result =
+      run_program({"run", "breaking_dam", "--backend", "cpu", "--threads", "1", "--steps", "50", "--size",
+                   "50x75", "--frames", folder / "frames", "--series", folder / "series.csv"});
+  EXPECT_EQ(result.code, 3) << result.err;
+  EXPECT_NE(result.err.find("frame_000003.png"), std::string::npos) << result.err;
+  const std::string series = read_file(folder / "series.csv");
+  EXPECT_NE(series.find("\n3,"), std::string::npos) << series;
+  EXPECT_EQ(series.back(), '\n');
+}
+
 TEST(CliInfo, TakesOverrides) {
   const ProgramResult result = run_program({"info", "breaking_dam", "--set", "particles.spacing=4"});
   EXPECT_EQ(result.code, 0);

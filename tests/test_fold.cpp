@@ -52,13 +52,13 @@ TEST(Fold, LargestIsFoundAnywhere) {
 
 TEST(Fold, LargerKeepsNaN) {
   const double nan = std::nan("");
-  EXPECT_EQ(cpu::larger(1.0, 2.0), 2);
-  EXPECT_EQ(cpu::larger(2.0, 1.0), 2);
-  EXPECT_TRUE(std::isnan(cpu::larger(1.0, nan)));
-  EXPECT_TRUE(std::isnan(cpu::larger(nan, 1.0)));
+  EXPECT_EQ(larger(1.0, 2.0), 2);
+  EXPECT_EQ(larger(2.0, 1.0), 2);
+  EXPECT_TRUE(std::isnan(larger(1.0, nan)));
+  EXPECT_TRUE(std::isnan(larger(nan, 1.0)));
   std::vector<double> values(5000, 1.0);
   values[4321] = nan;
-  EXPECT_TRUE(std::isnan(cpu::fold(values.data(), 5000, cpu::larger<double>)));
+  EXPECT_TRUE(std::isnan(cpu::fold(values.data(), 5000, larger<double>)));
 }
 
 }  // namespace
