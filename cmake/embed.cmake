@@ -1,19 +1,25 @@
 # embed_files(OUT files...): writes each file into the binary and sets OUT to the generated source.
-# The bytes are taken in by the assembler (.incbin); gpu/embedded.hpp finds them by file name.
+# The bytes are taken in by the assembler (.incbin); gpu/embedded.hpp finds them by name: that below shaders/, or the
+# file's own.
 function(embed_files out)
   set(source ${CMAKE_BINARY_DIR}/generated/embedded_files.cpp)
   set(blobs "")
   set(rows "")
+  set(names "")
   set(index 0)
   foreach(file IN LISTS ARGN)
     get_filename_component(path ${file} ABSOLUTE)
     get_filename_component(name ${file} NAME)
+    if(path MATCHES "^${CMAKE_SOURCE_DIR}/shaders/(.*)$")
+      set(name ${CMAKE_MATCH_1})
+    endif()
     string(APPEND blobs "asm(\".section .rodata\\n\"\n"
       "    \"sluice_blob_${index}: .incbin \\\"${path}\\\"\\n\"\n"
       "    \"sluice_blob_${index}_end: .byte 0\\n\"\n"
       "    \".text\\n\");\n"
       "extern \"C\" const char sluice_blob_${index}[];\nextern \"C\" const char sluice_blob_${index}_end[];\n")
     string(APPEND rows "  if (name == \"${name}\") return {sluice_blob_${index}, sluice_blob_${index}_end};\n")
+    string(APPEND names "    \"${name}\",\n")
     math(EXPR index "${index} + 1")
   endforeach()
   file(CONFIGURE OUTPUT ${source} CONTENT
@@ -23,6 +29,12 @@ function(embed_files out)
 ${blobs}
 std::string_view sluice::gpu::embedded_file(std::string_view name) {
 ${rows}  return {};
+}
+
+std::span<const std::string_view> sluice::gpu::embedded_names() {
+  static constexpr std::string_view names[] = {
+${names}  };
+  return names;
 }
 " @ONLY)
   set_source_files_properties(${source} PROPERTIES OBJECT_DEPENDS "${ARGN}")

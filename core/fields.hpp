@@ -12,26 +12,37 @@ namespace sluice {
 inline constexpr uint32_t slice_width = 16;
 inline constexpr uint32_t chunk_width = 64;
 
+/// What list_needed says when no list would do: its size has no 32-bit number, or, for a shader, more
+/// candidates crowd around a particle than it may loop over.
+inline constexpr uint32_t list_beyond_bounds = 0xffffffff;
+
 /// What a field's length follows.
 enum class Length { one, fluid, cells, boundary, list, gradients, residual, diagnostics, totals };
 
 enum class Type { real, vec2, vec4, uint, uvec2 };
 
+/// Where the pressure solve of a step stands.
+enum class Solve : uint32_t { unfinished, converged, capped };
+
+// clang-format off
 /// What the totals of a step hold, in this order.
+#define SLUICE_TOTALS(TOTAL) \
+  TOTAL(density) TOTAL(compression) TOTAL(speed_squared) TOTAL(x) TOTAL(y) TOTAL(wall_force_x) TOTAL(wall_force_y) \
+  TOTAL(lost) TOTAL(max_compression) TOTAL(max_speed_squared)
+// clang-format on
+
 enum class Total {
-  density,
-  compression,
-  speed_squared,
-  x,
-  y,
-  wall_force_x,
-  wall_force_y,
-  lost,
-  max_compression,
-  max_speed_squared,
-  count
+#define TOTAL(name) name,
+  SLUICE_TOTALS(TOTAL)
+#undef TOTAL
+      count
 };
 inline constexpr uint32_t total_count = static_cast<uint32_t>(Total::count);
+inline constexpr std::array<std::string_view, total_count> total_names = {
+#define TOTAL(name) #name,
+    SLUICE_TOTALS(TOTAL)
+#undef TOTAL
+};
 /// The totals from this one on are folded by max, those before by sum.
 inline constexpr uint32_t first_max_total = static_cast<uint32_t>(Total::max_compression);
 
@@ -70,6 +81,7 @@ inline constexpr uint32_t first_max_total = static_cast<uint32_t>(Total::max_com
   FIELD(Ap, real, fluid, "density", "operator applied to p")                                                              \
   FIELD(residual_sums, real, residual, "1", "per chunk: sum of |Ap - s|/rho0 of the counted particles; their number")     \
   FIELD(residual, vec2, one, "1", "the two sums over all chunks")                                                         \
+  FIELD(sweeps, uvec2, one, "1", "sweeps of this solve, and what has become of it: a Solve")                              \
   FIELD(diagnostic_sums, real, diagnostics, "mixed", "per chunk: the entries of Total")                                   \
   FIELD(totals, real, totals,      "mixed", "the entries of Total over all chunks")
 // clang-format on

@@ -10,6 +10,8 @@
 namespace sluice {
 namespace {
 
+constexpr double relax_tolerance = 1e-4;
+
 /// Edge of a grid cell: 2H, widened by what rounding a position's cell coordinate to float can cost, so that
 /// two particles in reach of each other never lie more than one cell apart.
 double cell_edge(const Scene& scene) {
@@ -42,6 +44,7 @@ Params make_params(const Scene& scene, uint32_t n) {
   p.omega = scene.iisph.omega;
   p.warm_start = scene.iisph.warm_start;
   p.source_weight = scene.iisph.source_weight;
+  p.tolerance = scene.iisph.tolerance;
   p.wall_pressure = scene.boundary_model == BoundaryModel::mirror ? 1 / (p.rho0 * p.rho0) : 0;
   p.central_force = scene.central_force;
   p.largest_move = 0.1 * p.h;
@@ -52,6 +55,8 @@ Params make_params(const Scene& scene, uint32_t n) {
   p.domain_min = scene.domain_min;
   p.domain_max = scene.domain_max;
   p.n = n;
+  p.min_iterations = scene.iisph.min_iterations;
+  p.max_iterations = scene.iisph.max_iterations;
   const glm::dvec2 cells = grid_cells(scene);
   p.columns = static_cast<uint32_t>(cells.x);
   p.rows = static_cast<uint32_t>(cells.y);
@@ -65,6 +70,7 @@ Params make_relax_params(const Params& params) {
   p.central_force = 0;
   p.warm_start = 0;
   p.source_weight = 1;
+  p.tolerance = relax_tolerance;
   return p;
 }
 

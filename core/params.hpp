@@ -26,6 +26,7 @@ struct Scene;
   REAL(omega, "relaxation of an IISPH sweep")                                                               \
   REAL(warm_start, "share of the last step's pressure IISPH starts from")                                   \
   REAL(source_weight, "weight of rho0 - rho in the IISPH source")                                           \
+  REAL(tolerance, "bound on the mean density error at which IISPH stops")                                   \
   REAL(wall_pressure, "1 / rho0^2 where a boundary sample mirrors the pressure")                            \
   REAL(central_force, "c in a = -c (x - centre)")                                                           \
   REAL(largest_move, "0.1 h, cap of one relaxation move")                                                   \
@@ -36,6 +37,8 @@ struct Scene;
   VEC2(domain_min, "lower left corner of the domain")                                                       \
   VEC2(domain_max, "upper right corner of the domain")                                                      \
   UINT(n, "number of fluid particles")                                                                      \
+  UINT(min_iterations, "IISPH sweeps that are done in any case")                                            \
+  UINT(max_iterations, "IISPH sweeps after which a solve ends, converged or not")                           \
   UINT(columns, "grid cells per row, padding included")                                                     \
   UINT(rows, "rows of grid cells, padding included")
 // clang-format on
@@ -69,7 +72,8 @@ using Params = ParamsOf<double>;
 /// The constants of `scene` with `n` fluid particles.
 Params make_params(const Scene& scene, uint32_t n);
 
-/// The same for a relaxation of the positions: dt = 1, no external force, p starts at 0, s = rho0 - rho.
+/// The same for a relaxation of the positions: dt = 1, no external force, p starts at 0, s = rho0 - rho, and a
+/// tolerance of its own.
 Params make_relax_params(const Params& params);
 
 /// Grid cells along the edges of the scene's domain, padding included; as doubles, so that nothing overflows.

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 #include "core/error.hpp"
@@ -13,7 +12,9 @@
 namespace sluice {
 namespace {
 
-constexpr double relax_tolerance = 1e-4;
+/// Sweeps between two looks at whether the solve is over. A look makes a GPU wait; sweeps after the end cost
+/// it next to nothing.
+constexpr uint32_t sweeps_between_looks = 4;
 
 /// Boundary samples sorted by grid cell, and the first of each cell.
 struct SortedBoundary {
@@ -80,7 +81,9 @@ void Simulator::start(const std::vector<Vec2>& x) {
   upload_state(x, v);
   refuse_beyond_range();
   begin_step();
-  run_search(plan_);
+  do {
+    run(plan_.search);
+  } while (list_was_too_short());
   const std::vector<Vec2> sorted_x = vectors(Field::x), sorted_v = vectors(Field::v);
   backend_.upload(Field::x_in, flat(sorted_x));
   backend_.upload(Field::v_in, flat(sorted_v));
@@ -106,12 +109,8 @@ std::vector<Vec2> Simulator::relaxed_positions(const std::vector<Vec2>& x) {
   backend_.configure(make_relax_params(params_), plan.needs);
   upload_state(x, std::vector<Vec2>(x.size()));
   for (uint32_t round = 0; round < scene_.relax; ++round) {
-    begin_step();
-    run_search(plan);
-    run(plan.forces);
     StepReport report;
-    solve_pressure(plan, relax_tolerance, report);
-    run(plan.finish);
+    run_step(plan, report);
   }
   std::vector<Vec2> relaxed = by_id(vectors(Field::x_in), ids(Field::id));
   if (const auto i = first_not_finite(relaxed)) {
@@ -147,46 +146,57 @@ void Simulator::begin_step() {
   backend_.swap(Field::rho, Field::rho_in);
 }
 
-void Simulator::run(const std::vector<Stage>& stages) {
+void Simulator::run(std::span<const Stage> stages) {
   for (const Stage stage : stages) backend_.run(stage);
 }
 
-/// A neighbour list that came out too short is made longer and filled again.
-void Simulator::run_search(const Plan& plan) {
-  for (const Stage stage : plan.search) {
-    backend_.run(stage);
-    if (stage != Stage::neighbours) continue;
-    uint32_t needed = 0;
-    while (backend_.download(Field::list_needed, std::span(&needed, 1)), needed > sizes_.list) {
-      if (needed == std::numeric_limits<uint32_t>::max()) {
-        throw EnvironmentError(
-            "the neighbour list would need more than 2^32 entries: particles crowd together; use a "
-            "smaller time step or fewer particles");
-      }
-      sizes_.list =
-          std::min<uint64_t>(uint64_t{needed} + needed / 4, std::numeric_limits<uint32_t>::max() - 1) /
-          slice_width * slice_width;
-      backend_.resize_list(sizes_.list);
-      backend_.run(stage);
-    }
-  }
+/// All of a step. Whether the neighbour list was long enough is asked once, at the end: if not, it is made
+/// longer, and all that follows from it is done again from the sorted state, which integration leaves alone.
+void Simulator::run_step(const Plan& plan, StepReport& report) {
+  begin_step();
+  const auto neighbours = std::find(plan.search.begin(), plan.search.end(), Stage::neighbours);
+  run({plan.search.begin(), neighbours});
+  do {
+    run({neighbours, plan.search.end()});
+    run(plan.forces);
+    solve_pressure(plan, report);
+    run(plan.finish);
+  } while (list_was_too_short());
 }
 
-/// The IISPH loop [Hunkler 2022, algorithm 6], capped.
-void Simulator::solve_pressure(const Plan& plan, double tolerance, StepReport& report) {
-  if (plan.sweep.empty()) return;
-  const Iisph& iisph = scene_.iisph;
-  double error = std::numeric_limits<double>::infinity();
-  while ((error >= tolerance || report.iterations < iisph.min_iterations) &&
-         report.iterations < iisph.max_iterations) {
-    run(plan.sweep);
-    std::array<double, 2> sums{};
-    backend_.download(Field::residual, sums);
-    error = sums[1] == 0 ? 0 : sums[0] / sums[1];
-    ++report.iterations;
+/// Makes the neighbour list longer if it is too short.
+bool Simulator::list_was_too_short() {
+  uint32_t needed = 0;
+  backend_.download(Field::list_needed, std::span(&needed, 1));
+  if (needed <= sizes_.list) return false;
+  if (needed == list_beyond_bounds) {
+    throw EnvironmentError(fmt::format(
+        "step {}: the neighbour list would need more than 2^32 entries, or more than 65535 particles crowd "
+        "around one; use a smaller time step or fewer particles",
+        steps_));
   }
-  report.residual = error;
-  report.converged = error < tolerance;
+  sizes_.list = std::min<uint64_t>(uint64_t{needed} + needed / 4, list_beyond_bounds - 1) / slice_width *
+                slice_width;
+  backend_.resize_list(sizes_.list);
+  return true;
+}
+
+/// The IISPH loop [Hunkler 2022, algorithm 6]; when it ends is decided by the stage `residual`.
+void Simulator::solve_pressure(const Plan& plan, StepReport& report) {
+  if (plan.sweep.empty()) return;
+  std::array<uint32_t, 2> sweeps{};
+  backend_.upload(Field::sweeps, sweeps);
+  uint32_t times = first_look_;
+  do {
+    backend_.sweep(plan.sweep, times);
+    backend_.download(Field::sweeps, sweeps);
+    times = sweeps_between_looks;
+  } while (static_cast<Solve>(sweeps[1]) == Solve::unfinished);
+  std::array<double, 2> sums{};
+  backend_.download(Field::residual, sums);
+  report.iterations = first_look_ = sweeps[0];
+  report.residual = sums[1] == 0 ? 0 : sums[0] / sums[1];
+  report.converged = static_cast<Solve>(sweeps[1]) == Solve::converged;
 }
 
 StepReport Simulator::step() {
@@ -194,11 +204,7 @@ StepReport Simulator::step() {
   report.step = ++steps_;
   report.time = time();
   report.dt = scene_.dt;
-  begin_step();
-  run_search(plan_);
-  run(plan_.forces);
-  solve_pressure(plan_, scene_.iisph.tolerance, report);
-  run(plan_.finish);
+  run_step(plan_, report);
   std::array<double, total_count> totals{};
   backend_.download(Field::totals, totals);
   report.diagnostics = make_diagnostics(totals, params_);

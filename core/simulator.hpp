@@ -40,9 +40,10 @@ class Simulator {
   void upload_state(const std::vector<Vec2>& x, const std::vector<Vec2>& v);
   void allocate(const Plan& plan);
   void begin_step();
-  void run(const std::vector<Stage>& stages);
-  void run_search(const Plan& plan);
-  void solve_pressure(const Plan& plan, double tolerance, StepReport& report);
+  void run(std::span<const Stage> stages);
+  void run_step(const Plan& plan, StepReport& report);
+  bool list_was_too_short();
+  void solve_pressure(const Plan& plan, StepReport& report);
   Snapshot state_before_step() const;
   std::vector<uint32_t> ids(Field field) const;
   std::vector<double> scalars(Field field) const;
@@ -54,6 +55,7 @@ class Simulator {
   Params params_;
   Sizes sizes_;
   Plan plan_;
+  uint32_t first_look_ = 1;  ///< sweeps before the solve is looked at: as many as the last one needed
   uint64_t steps_ = 0;
   bool last_state_finite_ = true;
   std::optional<Failure> failure_;

@@ -3,8 +3,8 @@
 //
 // Layout: slices of 16 particles; entry k of the particle in lane l of a slice stands at first + 16 k + l, so
 // that a slice is as long as the longest of its lists. Each thread fills its own part of the list from the
-// front. If a part is too short, searching goes on without storing, and list_needed says how large the list
-// has to be.
+// front. If a part is too short, searching goes on without storing, list_needed says how large the list has to
+// be, and all lists are left empty.
 #include <algorithm>
 #include <array>
 
@@ -79,7 +79,9 @@ void neighbours(State<Real>& state) {
     }
     longest_part = std::max(longest_part, cursor - begin);
   }
-  state.list_needed[0] = static_cast<uint32_t>(std::min<uint64_t>(longest_part * parts, UINT32_MAX));
+  const uint64_t needed = longest_part * parts;
+  state.list_needed[0] = static_cast<uint32_t>(std::min<uint64_t>(needed, list_beyond_bounds));
+  if (needed > state.sizes.list) for_each_index(n, state.threads, [&](uint32_t i) { state.list[i].y = 0; });
 }
 
 }  // namespace sluice::cpu

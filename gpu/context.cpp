@@ -53,6 +53,7 @@ struct Context::State {
   bool software = false;
   std::string renderer, vendor, version;
   std::vector<std::string> errors;
+  ShaderLibrary shaders;
 };
 
 // Makes the context on this display; returns what went wrong, or nothing.
@@ -129,7 +130,7 @@ std::string describe(const std::vector<DeviceInfo>& devices) {
   return text;
 }
 
-Context::Context(std::optional<int> device) {
+Context::Context(std::optional<int> device, ShaderLibrary shaders) {
   require_libraries();
   std::vector<Candidate> candidates;
   if (device) {
@@ -146,7 +147,10 @@ Context::Context(std::optional<int> device) {
   for (const Candidate& candidate : candidates) {
     state_ = std::make_unique<State>();
     const std::string problem = state_->open(candidate);
-    if (problem.empty()) return;
+    if (problem.empty()) {
+      state_->shaders = std::move(shaders);
+      return;
+    }
     tried += fmt::format("\n  {}: {}", candidate.label, problem);
   }
   throw EnvironmentError(fmt::format("no OpenGL 4.3 was found; tried{}\n{}", tried, install_hint));
@@ -188,5 +192,6 @@ const std::string& Context::renderer() const { return state_->renderer; }
 const std::string& Context::vendor() const { return state_->vendor; }
 const std::string& Context::version() const { return state_->version; }
 bool Context::software() const { return state_->software; }
+const ShaderLibrary& Context::shaders() const { return state_->shaders; }
 
 }  // namespace sluice::gpu

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "gpu/shader.hpp"
+
 namespace sluice::gpu {
 
 /// What an EGL device offers: its renderer, or why it can't be used.
@@ -33,8 +35,9 @@ class Context {
  public:
   /// Tries hardware devices, software devices, the surfaceless platform and the default display, in this
   /// order, or only the EGL device given. InputError when there is no such device; EnvironmentError, with
-  /// what was tried and what to install, when there is no OpenGL.
-  explicit Context(std::optional<int> device = std::nullopt);
+  /// what was tried and what to install, when there is no OpenGL. `shaders` is where programs made from it come
+  /// from.
+  explicit Context(std::optional<int> device = std::nullopt, ShaderLibrary shaders = ShaderLibrary());
   ~Context();
   Context(Context&&) noexcept;
   Context& operator=(Context&&) noexcept;
@@ -50,6 +53,7 @@ class Context {
   const std::string& vendor() const;
   const std::string& version() const;
   bool software() const;  ///< drawn by the processor
+  const ShaderLibrary& shaders() const;
 
  private:
   friend std::vector<DeviceInfo> list_devices();

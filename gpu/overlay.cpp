@@ -103,7 +103,7 @@ Overlay::Overlay(const Context& context, glm::uvec2 picture)
     : picture_(picture),
       font_size_(font_size_for(picture)),
       font_(std::make_unique<Font>(font_size_)),
-      program_(context, embedded_shader("overlay.vert"), embedded_shader("overlay.frag")),
+      program_(context, context.shaders().load("overlay.vert"), context.shaders().load("overlay.frag")),
       vertices_(context),
       buffer_(context),
       texture_(context) {

@@ -44,7 +44,7 @@ View::View(glm::uvec2 picture, Vec2 view_min, Vec2 view_max) : size(picture), co
 ParticlePass::ParticlePass(const Context& context, const View& view, double diameter, ParticleShape shape)
     : context_(context),
       view_(view),
-      program_(context, embedded_shader("particles.vert"), embedded_shader("particles.frag")),
+      program_(context, context.shaders().load("particles.vert"), context.shaders().load("particles.frag")),
       boundary_(context),
       fluid_(context),
       bar_(context) {

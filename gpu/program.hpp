@@ -4,20 +4,11 @@
 #include <glm/glm.hpp>
 #include <map>
 #include <string>
-#include <string_view>
 
 #include "gpu/gl_object.hpp"
+#include "gpu/shader.hpp"
 
 namespace sluice::gpu {
-
-/// A shader's text and the file name that messages use.
-struct ShaderSource {
-  std::string name;
-  std::string text;
-};
-
-/// A shader that travels inside the binary; Error when there is none of this name.
-ShaderSource embedded_shader(std::string_view name);
 
 /// Compiled and linked. Error with the file name and the driver's log when a shader is wrong, and when a name
 /// is asked for that the program does not have.

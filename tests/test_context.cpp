@@ -31,10 +31,10 @@ std::string message_of(Action action) {
 
 // A program that has a uniform vec4 to be set wrongly.
 ShaderSource vertex_source() {
-  return {"test.vert", "#version 430 core\nuniform vec4 shift;\nvoid main() { gl_Position = shift; }\n"};
+  return {"test.vert", "#version 430 core\nuniform vec4 shift;\nvoid main() { gl_Position = shift; }\n", {}};
 }
 ShaderSource fragment_source() {
-  return {"test.frag", "#version 430 core\nout vec4 result;\nvoid main() { result = vec4(1.0); }\n"};
+  return {"test.frag", "#version 430 core\nout vec4 result;\nvoid main() { result = vec4(1.0); }\n", {}};
 }
 
 TEST(Context, IsAnOpenGl43Core) {
@@ -121,7 +121,8 @@ TEST(Program, ALinkErrorNamesBothFiles) {
   const Context context;
   const ShaderSource lonely{"lonely.frag",
                             "#version 430 core\nin vec3 nobody_writes;\nout vec4 result;\n"
-                            "void main() { result = vec4(nobody_writes, 1.0); }\n"};
+                            "void main() { result = vec4(nobody_writes, 1.0); }\n",
+                            {}};
   const std::string message =
       message_of<sluice::Error>([&] { const Program program(context, vertex_source(), lonely); });
   EXPECT_TRUE(contains(message, "test.vert and lonely.frag do not link:\n")) << message;
@@ -133,7 +134,7 @@ TEST(Program, UnknownNamesAreErrors) {
   EXPECT_TRUE(contains(message_of<sluice::Error>([&] { program.set("shfit", 1.0f); }), "no uniform 'shfit'"));
   EXPECT_TRUE(
       contains(message_of<sluice::Error>([&] { program.attribute("place"); }), "no attribute 'place'"));
-  EXPECT_TRUE(contains(message_of<sluice::Error>([] { embedded_shader("none.vert"); }), "none.vert"));
+  EXPECT_TRUE(contains(message_of<sluice::Error>([] { ShaderLibrary().load("none.vert"); }), "none.vert"));
 }
 
 // The following need a process in which nothing of OpenGL has been loaded yet.

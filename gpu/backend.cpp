@@ -1,0 +1,257 @@
+// Buffers, transfers, and the dispatches of a stage.
+#include "gpu/backend.hpp"
+
+#include <epoxy/gl.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <optional>
+#include <stdexcept>
+
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "gpu/context.hpp"
+#include "gpu/stage_program.hpp"
+#include "gpu/timer.hpp"
+
+namespace sluice::gpu {
+namespace {
+
+constexpr uint64_t smallest_buffer = 16;
+/// Shaders count the bytes of a buffer in 32 bits.
+constexpr uint64_t largest_buffer = 0xfffffff0;
+
+bool is_uint(Field field) { return info(field).type == Type::uint || info(field).type == Type::uvec2; }
+
+uint32_t limit(GLenum name, GLuint dimension) {
+  GLint value = 0;
+  glGetIntegeri_v(name, dimension, &value);
+  return static_cast<uint32_t>(value);
+}
+
+class Implementation final : public GpuBackend {
+ public:
+  Implementation(const Context& context, const BackendOptions& options)
+      : context_(context),
+        group_size_(options.group_size > 0 ? options.group_size : context.software() ? 64 : 128),
+        timer_(context),
+        params_(context),
+        scratch_(context),
+        sweep_groups_(context),
+        unused_(context) {
+    context_.make_current();
+    most_groups_ = std::min(limit(GL_MAX_COMPUTE_WORK_GROUP_COUNT, 0), limit(GL_MAX_COMPUTE_WORK_GROUP_COUNT, 1));
+    if (options.most_groups > 0) most_groups_ = std::min(most_groups_, options.most_groups);
+    make_room(sweep_groups_, 3 * sizeof(uint32_t), "sweep groups");
+    make_room(unused_, smallest_buffer, "nothing");
+  }
+
+  void allocate(FieldSet fields, const Sizes& sizes) override {
+    context_.make_current();
+    sizes_ = sizes;
+    buffers_ = {};
+    for (uint32_t i = 0; i < field_count; ++i) {
+      const Field field = static_cast<Field>(i);
+      if (fields.has(field)) make_field(field);
+    }
+    make_room(scratch_, scratch_size(sizes, group_size_) * sizeof(uint32_t), "scratch");
+    plan_passes();
+  }
+
+  void resize_list(uint64_t entries) override {
+    context_.make_current();
+    sizes_.list = entries;
+    for (const Field field : {Field::index, Field::gradient}) {
+      buffer_of(field).reset();  // before the larger one is made
+      make_field(field);
+    }
+  }
+
+  void configure(const Params& params, const Needs& needs) override {
+    context_.make_current();
+    needs_ = needs;
+    const std::vector<std::byte> bytes = params_bytes(params);
+    glBindBuffer(GL_UNIFORM_BUFFER, params_.name());
+    glBufferData(GL_UNIFORM_BUFFER, static_cast<GLsizeiptr>(bytes.size()), bytes.data(), GL_STATIC_DRAW);
+  }
+
+  void run(Stage stage) override {
+    context_.make_current();
+    run(stage, false);
+  }
+
+  /// Enqueues all sweeps; the stage `residual` sees to it that those after the last one have no groups to run.
+  void sweep(const std::vector<Stage>& stages, uint32_t times) override {
+    context_.make_current();
+    const Groups all = spread((sizes_.fluid + group_size_ - 1) / group_size_, most_groups_);
+    const std::array<uint32_t, 3> groups{all.x, all.y, 1};
+    glBindBuffer(GL_COPY_WRITE_BUFFER, sweep_groups_.name());
+    glBufferSubData(GL_COPY_WRITE_BUFFER, 0, sizeof(groups), groups.data());
+    for (uint32_t k = 0; k < times; ++k) {
+      for (const Stage stage : stages) run(stage, stage != Stage::residual);
+    }
+  }
+
+  void swap(Field a, Field b) override {
+    if (info(a).type != info(b).type || info(a).length != info(b).length)
+      throw std::logic_error("swap of fields of different types");
+    std::swap(buffer_of(a), buffer_of(b));
+  }
+
+  void upload(Field field, std::span<const double> values) override {
+    if (is_uint(field)) throw std::logic_error("reals for a field of integers");
+    staging_.assign(values.begin(), values.end());
+    write(field, staging_.data(), staging_.size());
+  }
+
+  void upload(Field field, std::span<const uint32_t> values) override {
+    if (!is_uint(field)) throw std::logic_error("integers for a field of reals");
+    write(field, values.data(), values.size());
+  }
+
+  void download(Field field, std::span<double> values) const override {
+    if (is_uint(field)) throw std::logic_error("reals from a field of integers");
+    staging_.resize(values.size());
+    read(field, staging_.data(), staging_.size());
+    std::copy(staging_.begin(), staging_.end(), values.begin());
+  }
+
+  void download(Field field, std::span<uint32_t> values) const override {
+    if (!is_uint(field)) throw std::logic_error("integers from a field of reals");
+    read(field, values.data(), values.size());
+  }
+
+  double seconds(Stage stage) const override {
+    context_.make_current();
+    return timer_.seconds(stage);
+  }
+  void reset_seconds() override {
+    context_.make_current();
+    timer_.reset();
+  }
+
+  std::string name() const override { return "gpu"; }
+  std::string device() const override { return context_.renderer(); }
+  Precision precision() const override { return Precision::single_; }
+  int threads() const override { return 1; }
+  const Buffer& buffer(Field field) const override { return buffers_[static_cast<uint32_t>(field)].value(); }
+
+ private:
+  std::optional<Buffer>& buffer_of(Field field) { return buffers_[static_cast<uint32_t>(field)]; }
+
+  /// Gives `buffer` room for `bytes` zeros.
+  void make_room(const Buffer& buffer, uint64_t bytes, std::string_view what) const {
+    if (bytes > largest_buffer) {
+      throw EnvironmentError(fmt::format("{} needs {} in one buffer, more than shaders can address; use fewer "
+                                         "particles, or --backend cpu",
+                                         what, bytes_text(static_cast<double>(bytes))));
+    }
+    glBindBuffer(GL_COPY_WRITE_BUFFER, buffer.name());
+    glBufferData(GL_COPY_WRITE_BUFFER, static_cast<GLsizeiptr>(std::max(bytes, smallest_buffer)), nullptr,
+                 GL_DYNAMIC_COPY);
+    context_.check(fmt::format("making room for {}", what));
+    glClearBufferData(GL_COPY_WRITE_BUFFER, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
+  }
+
+  uint64_t element_count(Field field) const { return sizes_.of(info(field).length); }
+  uint64_t bytes_of(Field field) const { return element_count(field) * element_bytes(info(field).type, 4); }
+
+  void make_field(Field field) {
+    buffer_of(field).emplace(context_);
+    make_room(*buffer_of(field), bytes_of(field), info(field).name);
+  }
+
+  void plan_passes() {
+    for (uint32_t i = 0; i < stage_count; ++i) passes_[i] = passes_of(static_cast<Stage>(i), sizes_, group_size_);
+  }
+
+  StageProgram& program(Stage stage, const Pass& pass) {
+    const auto facts = (needs_.boundary ? 1u : 0u) | (needs_.laplacian ? 2u : 0u) | (needs_.linear_system ? 4u : 0u);
+    const auto key = std::tuple(stage, pass.number, facts);
+    const auto known = programs_.find(key);
+    if (known != programs_.end()) return known->second;
+    StageProgram made(context_, stage, needs_, pass.number, pass.entry, group_size_);
+    return programs_.emplace(key, std::move(made)).first->second;
+  }
+
+  void bind(const StageProgram& stage_program) const {
+    const auto& blocks = stage_program.blocks();
+    for (GLuint binding = 0; binding < blocks.size(); ++binding) {
+      glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, buffer_for(blocks[binding]).name());
+    }
+    glBindBufferBase(GL_UNIFORM_BUFFER, 0, params_.name());
+  }
+
+  const Buffer& buffer_for(const BoundBlock& block) const {
+    switch (block.what) {
+      case BoundBlock::What::scratch: return scratch_;
+      case BoundBlock::What::sweep_groups: return sweep_groups_;
+      case BoundBlock::What::field: break;
+    }
+    const std::optional<Buffer>& buffer = buffers_[static_cast<uint32_t>(block.field)];
+    return buffer ? *buffer : unused_;  // of a model that the scene does without
+  }
+
+  void run(Stage stage, bool unless_solved) {
+    timer_.begin();
+    for (const Pass& pass : passes_[static_cast<uint32_t>(stage)]) {
+      StageProgram& stage_program = program(stage, pass);
+      ComputeProgram& compute = stage_program.program();
+      bind(stage_program);
+      compute.set("count", static_cast<uint32_t>(pass.count));
+      compute.set("fold_length", pass.fold_length);
+      compute.set("fold_from", pass.fold_from);
+      compute.set("fold_to", pass.fold_to);
+      compute.set("fold_first", pass.fold_first ? 1 : 0);
+      if (unless_solved)
+        compute.dispatch_indirect(sweep_groups_);
+      else
+        compute.dispatch(spread((pass.count + pass.per_group - 1) / pass.per_group, most_groups_));
+    }
+    timer_.end(stage);
+  }
+
+  void require_size(Field field, size_t values, size_t bytes) const {
+    if (buffers_[static_cast<uint32_t>(field)] && bytes == bytes_of(field)) return;
+    throw std::logic_error(fmt::format("field {}: {} values for {} elements", info(field).name, values,
+                                       buffers_[static_cast<uint32_t>(field)] ? element_count(field) : 0));
+  }
+
+  template <class T>
+  void write(Field field, const T* values, size_t count) {
+    require_size(field, count, count * sizeof(T));
+    context_.make_current();
+    glBindBuffer(GL_COPY_WRITE_BUFFER, buffer(field).name());
+    glBufferSubData(GL_COPY_WRITE_BUFFER, 0, static_cast<GLsizeiptr>(count * sizeof(T)), values);
+  }
+
+  template <class T>
+  void read(Field field, T* values, size_t count) const {
+    require_size(field, count, count * sizeof(T));
+    context_.make_current();
+    glBindBuffer(GL_COPY_READ_BUFFER, buffer(field).name());
+    glGetBufferSubData(GL_COPY_READ_BUFFER, 0, static_cast<GLsizeiptr>(count * sizeof(T)), values);
+    context_.check(fmt::format("computing on {}", context_.renderer()));
+  }
+
+  const Context& context_;
+  uint32_t group_size_, most_groups_ = 0;
+  Sizes sizes_;
+  Needs needs_;
+  mutable StageTimer timer_;
+  Buffer params_, scratch_, sweep_groups_, unused_;
+  std::array<std::optional<Buffer>, field_count> buffers_;
+  std::array<std::vector<Pass>, stage_count> passes_;
+  std::map<std::tuple<Stage, uint32_t, uint32_t>, StageProgram> programs_;
+  mutable std::vector<float> staging_;
+};
+
+}  // namespace
+
+std::unique_ptr<GpuBackend> make_backend(const Context& context, const BackendOptions& options) {
+  return std::make_unique<Implementation>(context, options);
+}
+
+}  // namespace sluice::gpu

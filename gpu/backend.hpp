@@ -1,0 +1,28 @@
+// The GPU backend: every stage as OpenGL 4.3 compute shaders, in float. On Mesa's llvmpipe its results are those
+// of the CPU backend in float, bit for bit.
+#pragma once
+
+#include <memory>
+
+#include "core/backend.hpp"
+#include "gpu/gl_object.hpp"
+
+namespace sluice::gpu {
+
+class Context;
+
+class GpuBackend : public Backend {
+ public:
+  /// The buffer that holds `field`, which is allocated.
+  virtual const Buffer& buffer(Field field) const = 0;
+};
+
+struct BackendOptions {
+  uint32_t group_size = 0;   ///< invocations per group, a multiple of 64; 0 for what suits the device
+  uint32_t most_groups = 0;  ///< per dimension; 0 for the driver's limit
+};
+
+/// The context must outlive the backend.
+std::unique_ptr<GpuBackend> make_backend(const Context& context, const BackendOptions& options = {});
+
+}  // namespace sluice::gpu

@@ -1,0 +1,102 @@
+// Linking, reflection, dispatch and barrier.
+#include "gpu/compute_program.hpp"
+
+#include <epoxy/gl.h>
+
+#include <algorithm>
+#include <array>
+
+namespace sluice::gpu {
+namespace {
+
+constexpr std::string_view params_prefix = "params_block.";
+
+std::string resource_name(GLuint program, GLenum kind, GLuint index) {
+  std::array<GLchar, 256> text{};
+  GLsizei length = 0;
+  glGetProgramResourceName(program, kind, index, static_cast<GLsizei>(text.size()), &length, text.data());
+  return {text.data(), static_cast<size_t>(length)};
+}
+
+GLuint resource_count(GLuint program, GLenum kind) {
+  GLint count = 0;
+  glGetProgramInterfaceiv(program, kind, GL_ACTIVE_RESOURCES, &count);
+  return static_cast<GLuint>(count);
+}
+
+template <size_t n>
+std::array<GLint, n> properties(GLuint program, GLenum kind, GLuint index, const std::array<GLenum, n>& names) {
+  std::array<GLint, n> values{};
+  glGetProgramResourceiv(program, kind, index, static_cast<GLsizei>(n), names.data(), static_cast<GLsizei>(n),
+                         nullptr, values.data());
+  return values;
+}
+
+/// Whatever reads next, from whichever side, sees what was written.
+void make_visible() {
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT |
+                  GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_ELEMENT_ARRAY_BARRIER_BIT | GL_UNIFORM_BARRIER_BIT);
+}
+
+}  // namespace
+
+Groups spread(uint64_t groups, uint32_t most_per_dimension) {
+  if (groups <= most_per_dimension) return {static_cast<uint32_t>(groups), 1};
+  const uint64_t rows = (groups + most_per_dimension - 1) / most_per_dimension;
+  return {static_cast<uint32_t>((groups + rows - 1) / rows), static_cast<uint32_t>(rows)};
+}
+
+ComputeProgram::ComputeProgram(const Context& context, const ShaderSource& source)
+    : title_(source.name), program_(context) {
+  const Shader shader(GL_COMPUTE_SHADER, source);
+  glAttachShader(program_.name(), shader.name());
+  link_program(program_.name(), {&source});
+  glDetachShader(program_.name(), shader.name());
+  read_interface();
+}
+
+void ComputeProgram::read_interface() {
+  const GLuint program = program_.name();
+  for (GLuint block = 0; block < resource_count(program, GL_SHADER_STORAGE_BLOCK); ++block) {
+    storage_.push_back({resource_name(program, GL_SHADER_STORAGE_BLOCK, block), 0});
+    glShaderStorageBlockBinding(program, block, block);
+  }
+  for (GLuint k = 0; k < resource_count(program, GL_BUFFER_VARIABLE); ++k) {
+    const auto [block, stride] =
+        properties<2>(program, GL_BUFFER_VARIABLE, k, {GL_BLOCK_INDEX, GL_ARRAY_STRIDE});
+    if (block >= 0) storage_.at(static_cast<size_t>(block)).stride = static_cast<uint32_t>(stride);
+  }
+  for (GLuint k = 0; k < resource_count(program, GL_UNIFORM); ++k) {
+    const auto [block, type, offset, location] =
+        properties<4>(program, GL_UNIFORM, k, {GL_BLOCK_INDEX, GL_TYPE, GL_OFFSET, GL_LOCATION});
+    const std::string name = resource_name(program, GL_UNIFORM, k);
+    if (block < 0) {
+      uniforms_[name] = location;
+    } else if (name.starts_with(params_prefix)) {
+      params_.push_back({name.substr(params_prefix.size()), static_cast<uint32_t>(type),
+                         static_cast<uint32_t>(offset)});
+    }
+  }
+  const GLuint params = glGetUniformBlockIndex(program, "params_block");
+  if (params != GL_INVALID_INDEX) glUniformBlockBinding(program, params, 0);
+}
+
+void ComputeProgram::set(const std::string& uniform, uint32_t value) {
+  const auto known = uniforms_.find(uniform);
+  if (known != uniforms_.end()) glProgramUniform1ui(program_.name(), known->second, value);
+}
+
+void ComputeProgram::dispatch(Groups groups) const {
+  glUseProgram(program_.name());
+  glDispatchCompute(groups.x, groups.y, 1);
+  make_visible();
+}
+
+void ComputeProgram::dispatch_indirect(const Buffer& groups) const {
+  glUseProgram(program_.name());
+  glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, groups.name());
+  glDispatchComputeIndirect(0);
+  make_visible();
+}
+
+}  // namespace sluice::gpu

@@ -1,0 +1,60 @@
+// A compute shader linked into a program, checked against the tables, and its dispatch.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "gpu/gl_object.hpp"
+#include "gpu/shader.hpp"
+
+namespace sluice::gpu {
+
+/// Groups in x and y; more than the driver allows in one dimension are spread over two.
+struct Groups {
+  uint32_t x = 0, y = 1;
+};
+Groups spread(uint64_t groups, uint32_t most_per_dimension);
+
+class ComputeProgram {
+ public:
+  /// A storage block that the shader uses, bound by its place among them.
+  struct StorageBlock {
+    std::string name;
+    uint32_t stride;  ///< bytes from one element of its array to the next
+  };
+  struct UniformMember {
+    std::string name;  ///< without the block's
+    uint32_t type;     ///< OpenGL's, as GL_FLOAT_VEC2
+    uint32_t offset;
+  };
+
+  /// Compiled and linked; errors as those of Shader. `params_block` is bound to 0.
+  ComputeProgram(const Context& context, const ShaderSource& source);
+
+  const std::string& title() const { return title_; }
+  const std::vector<StorageBlock>& storage() const { return storage_; }
+  /// Members of the uniform block of parameters; empty when the shader uses none.
+  const std::vector<UniformMember>& params() const { return params_; }
+
+  /// Sets a uniform; does nothing when the shader does not use it.
+  void set(const std::string& uniform, uint32_t value);
+
+  /// Runs with what is bound, and makes what was written visible to all that follows.
+  void dispatch(Groups groups) const;
+  /// The same, with the number of groups read from `groups` (three uints).
+  void dispatch_indirect(const Buffer& groups) const;
+
+ private:
+  void read_interface();
+
+  std::string title_;
+  ProgramObject program_;
+  std::vector<StorageBlock> storage_;
+  std::vector<UniformMember> params_;
+  std::map<std::string, int> uniforms_;
+};
+
+}  // namespace sluice::gpu

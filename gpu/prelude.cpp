@@ -1,0 +1,159 @@
+// Tables -> GLSL.
+#include "gpu/prelude.hpp"
+
+#include <fmt/format.h>
+
+#include <cstring>
+#include <iterator>
+
+namespace sluice::gpu {
+namespace {
+
+std::string_view glsl_type(Type type) {
+  switch (type) {
+    case Type::real: return "float";
+    case Type::vec2: return "vec2";
+    case Type::vec4: return "vec4";
+    case Type::uint: return "uint";
+    case Type::uvec2: return "uvec2";
+  }
+  return "";
+}
+
+std::string constants(const Needs& needs, uint32_t pass, uint32_t group_size) {
+  std::string text = fmt::format("#define PASS {}\n", pass);
+  const auto add = [&](std::string_view name, uint32_t value) {
+    text += fmt::format("const uint {} = {}u;\n", name, value);
+  };
+  add("group_size", group_size);
+  add("slice_width", slice_width);
+  add("chunk_width", chunk_width);
+  add("scan_width", scan_width);
+  add("list_beyond_bounds", list_beyond_bounds);
+  add("solve_unfinished", static_cast<uint32_t>(Solve::unfinished));
+  add("solve_converged", static_cast<uint32_t>(Solve::converged));
+  add("solve_capped", static_cast<uint32_t>(Solve::capped));
+  for (uint32_t total = 0; total < total_count; ++total) add("total_" + std::string(total_names[total]), total);
+  add("total_count", total_count);
+  add("first_max_total", first_max_total);
+  const auto fact = [&](std::string_view name, bool value) {
+    text += fmt::format("const bool {} = {};\n", name, value);
+  };
+  fact("walls", needs.boundary);
+  fact("viscous", needs.laplacian);
+  fact("linear_system", needs.linear_system);
+  return text;
+}
+
+std::string params_declaration() {
+  std::string text = "layout(std140) uniform params_block {\n";
+  for (const ParamsMember& member : params_layout()) {
+    text += fmt::format("  {} {};\n", glsl_type(member.type), member.name);
+  }
+  return text + "} params;\n";
+}
+
+std::string storage(std::string_view block, std::string_view access, std::string_view type, std::string_view name) {
+  return fmt::format("layout(std430) restrict {}buffer {} {{ {} {}[]; }};\n", access, block, type, name);
+}
+
+/// Whether the stage's passes hand something on.
+bool has_scratch(Stage stage) {
+  switch (stage) {
+    case Stage::grid_scan:
+    case Stage::grid_order:
+    case Stage::neighbours:
+    case Stage::residual:
+    case Stage::totals: return true;
+    default: return false;
+  }
+}
+
+std::string fields(Stage stage) {
+  std::string text;
+  for (uint32_t i = 0; i < field_count; ++i) {
+    const Field field = static_cast<Field>(i);
+    const bool reads = info(stage).reads.has(field), writes = info(stage).writes.has(field);
+    if (!reads && !writes) continue;
+    text += storage(block_name(field), writes ? "" : "readonly ", glsl_type(info(field).type), info(field).name);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string block_name(Field field) { return std::string(info(field).name) + "_block"; }
+
+const std::vector<ParamsMember>& params_layout() {
+  static const std::vector<ParamsMember> layout = [] {
+    std::vector<ParamsMember> members;
+    uint32_t end = 0;
+    const auto add = [&](const char* name, Type type) {
+      const uint32_t bytes = element_bytes(type, 4);
+      const uint32_t offset = (end + bytes - 1) / bytes * bytes;
+      members.push_back({name, type, offset});
+      end = offset + bytes;
+    };
+#define REAL(name, meaning) add(#name, Type::real);
+#define VEC2(name, meaning) add(#name, Type::vec2);
+#define UINT(name, meaning) add(#name, Type::uint);
+    SLUICE_PARAMS(REAL, VEC2, UINT)
+#undef REAL
+#undef VEC2
+#undef UINT
+    return members;
+  }();
+  return layout;
+}
+
+std::vector<std::byte> params_bytes(const Params& params) {
+  const ParamsOf<float> values = params.to<float>();
+  const ParamsMember& last = params_layout().back();
+  const uint32_t size = last.offset + element_bytes(last.type, 4);
+  std::vector<std::byte> bytes((size + 15) / 16 * 16);
+  auto member = params_layout().begin();
+  const auto put = [&](const auto& value) {
+    static_assert(sizeof(value) == 4 || sizeof(value) == 8);
+    std::memcpy(bytes.data() + (member++)->offset, &value, sizeof(value));
+  };
+#define REAL(name, meaning) put(values.name);
+#define VEC2(name, meaning) put(values.name);
+#define UINT(name, meaning) put(values.name);
+  SLUICE_PARAMS(REAL, VEC2, UINT)
+#undef REAL
+#undef VEC2
+#undef UINT
+  return bytes;
+}
+
+std::string prelude(Stage stage, const Needs& needs, uint32_t pass, uint32_t group_size) {
+  std::string text = "#version 430 core\n";
+  text += fmt::format("layout(local_size_x = {}) in;\n", group_size);
+  text += constants(needs, pass, group_size);
+  text += params_declaration();
+  text += fields(stage);
+  if (has_scratch(stage)) text += storage(scratch_block, "", "uint", "scratch");
+  if (stage == Stage::residual) text += storage(sweep_groups_block, "", "uint", "sweep_groups");
+  text += "uniform uint count;  // what this pass runs over\n";
+  return text;
+}
+
+std::string_view epilogue(Entry entry) {
+  switch (entry) {
+    case Entry::invocation:
+      return R"(
+void main() {
+  uint group = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
+  uint i = group * group_size + gl_LocalInvocationIndex;
+  if (i < count) run(i);
+}
+)";
+    case Entry::group:
+      return R"(
+void main() { run_group(gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x); }
+)";
+  }
+  return "";
+}
+
+}  // namespace sluice::gpu

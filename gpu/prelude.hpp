@@ -1,0 +1,40 @@
+// What every stage's shader begins and ends with, made from the tables that the C++ side uses: constants, the
+// uniform block of parameters, a storage block per field the stage reads or writes, and main(). So a shader
+// cannot touch a field that the stage table does not give it, nor see another layout.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/params.hpp"
+#include "core/stages.hpp"
+
+namespace sluice::gpu {
+
+/// What one invocation of a pass stands for: `run(i)` is called for all i < count, or `run_group(group)` by all
+/// invocations of a group.
+enum class Entry { invocation, group };
+
+/// Consecutive cells that one invocation of the prefix sum takes.
+inline constexpr uint32_t scan_width = 16;
+
+std::string prelude(Stage stage, const Needs& needs, uint32_t pass, uint32_t group_size);
+std::string_view epilogue(Entry entry);
+
+/// Block of the field in GLSL: "x_block"; the array in it has the field's name.
+std::string block_name(Field field);
+/// Storage blocks that are no fields: memory for the passes of one stage, and the number of groups that the
+/// next sweep runs in each dimension.
+inline constexpr std::string_view scratch_block = "scratch_block", sweep_groups_block = "sweep_groups_block";
+
+/// The parameters as the uniform block "params_block" holds them, by the rules of std140.
+struct ParamsMember {
+  std::string name;
+  Type type;
+  uint32_t offset;
+};
+const std::vector<ParamsMember>& params_layout();
+std::vector<std::byte> params_bytes(const Params& params);
+
+}  // namespace sluice::gpu

@@ -1,0 +1,138 @@
+// Passes by stage, and the contract between shaders and tables.
+#include "gpu/stage_program.hpp"
+
+#include <epoxy/gl.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/error.hpp"
+#include "gpu/context.hpp"
+
+namespace sluice::gpu {
+namespace {
+
+uint64_t groups_of(uint64_t count, uint64_t per_group) { return (count + per_group - 1) / per_group; }
+
+Pass each_invocation(uint32_t number, uint64_t count, uint32_t group_size) {
+  Pass pass;
+  pass.number = number;
+  pass.count = count;
+  pass.per_group = group_size;
+  return pass;
+}
+
+Pass each_group(uint32_t number, uint64_t count, uint64_t per_group) {
+  Pass pass;
+  pass.number = number;
+  pass.entry = Entry::group;
+  pass.count = count;
+  pass.per_group = per_group;
+  return pass;
+}
+
+/// `arrays` folds of `length` values each, level by level, the last one by `last_count` invocations.
+std::vector<Pass> fold_passes(uint64_t length, uint64_t arrays, uint64_t last_count, uint32_t group_size) {
+  std::vector<Pass> passes;
+  uint64_t from = 0, to = 0;
+  const uint64_t half = arrays * groups_of(length, chunk_width);  // two halves of scratch, used in turns
+  const auto add = [&](Pass pass) {
+    pass.fold_length = static_cast<uint32_t>(length);
+    pass.fold_from = static_cast<uint32_t>(from);
+    pass.fold_to = static_cast<uint32_t>(to);
+    pass.fold_first = passes.empty();
+    passes.push_back(pass);
+  };
+  while (length > chunk_width) {
+    add(each_invocation(0, arrays * groups_of(length, chunk_width), group_size));
+    length = groups_of(length, chunk_width);
+    from = to;
+    to = half - to;
+  }
+  add(each_invocation(1, last_count, group_size));
+  return passes;
+}
+
+uint32_t gl_type(Type type) {
+  switch (type) {
+    case Type::real: return GL_FLOAT;
+    case Type::vec2: return GL_FLOAT_VEC2;
+    case Type::vec4: return GL_FLOAT_VEC4;
+    case Type::uint: return GL_UNSIGNED_INT;
+    case Type::uvec2: return GL_UNSIGNED_INT_VEC2;
+  }
+  return GL_NONE;
+}
+
+}  // namespace
+
+std::vector<Pass> passes_of(Stage stage, const Sizes& sizes, uint32_t group_size) {
+  const uint64_t n = sizes.fluid, cells = sizes.of(Length::cells), block = uint64_t{group_size} * scan_width;
+  switch (stage) {
+    case Stage::grid_count: return {each_invocation(0, cells, group_size), each_invocation(1, n, group_size)};
+    case Stage::grid_scan: {
+      const uint64_t blocks = groups_of(cells, block);
+      return {each_group(0, cells, block), each_group(1, blocks, blocks), each_group(2, cells, block)};
+    }
+    case Stage::grid_order: return {each_invocation(0, n, group_size), each_invocation(1, n, group_size)};
+    case Stage::neighbours:
+      return {each_invocation(0, n, group_size), each_invocation(1, groups_of(n, slice_width), group_size),
+              each_invocation(2, n, group_size)};
+    case Stage::pressure_update:
+    case Stage::diagnostics: return {each_group(0, n, group_size)};
+    case Stage::residual: return fold_passes(sizes.chunks(), 2, 1, group_size);
+    case Stage::totals: return fold_passes(sizes.chunks(), total_count, total_count, group_size);
+    default: return {each_invocation(0, n, group_size)};
+  }
+}
+
+uint64_t scratch_size(const Sizes& sizes, uint32_t group_size) {
+  const uint64_t scan = groups_of(sizes.of(Length::cells), uint64_t{group_size} * scan_width);
+  const uint64_t folds = 2 * total_count * groups_of(sizes.chunks(), chunk_width);
+  return std::max({sizes.fluid, scan, folds, uint64_t{1}});
+}
+
+StageProgram::StageProgram(const Context& context, Stage stage, const Needs& needs, uint32_t pass, Entry entry,
+                           uint32_t group_size)
+    : program_(context, context.shaders().load(std::string(info(stage).name) + ".comp",
+                                               prelude(stage, needs, pass, group_size), epilogue(entry))) {
+  check_storage(stage);
+  check_params();
+}
+
+void StageProgram::check_storage(Stage stage) {
+  for (const ComputeProgram::StorageBlock& block : program_.storage()) {
+    if (block.name == scratch_block || block.name == sweep_groups_block) {
+      blocks_.push_back({block.name == scratch_block ? BoundBlock::What::scratch : BoundBlock::What::sweep_groups,
+                         Field::count});
+      continue;
+    }
+    Field field = Field::count;
+    for (uint32_t i = 0; i < field_count; ++i) {
+      if (block_name(static_cast<Field>(i)) == block.name) field = static_cast<Field>(i);
+    }
+    if (field == Field::count || !(info(stage).reads | info(stage).writes).has(field)) {
+      throw Error(fmt::format("{}: has the storage block {}, which the stage's row in the table does not",
+                              program_.title(), block.name));
+    }
+    const uint32_t expected = element_bytes(info(field).type, 4);
+    if (block.stride != expected) {
+      throw Error(fmt::format("{}: an element of {} has {} bytes, expected {}", program_.title(),
+                              info(field).name, block.stride, expected));
+    }
+    blocks_.push_back({BoundBlock::What::field, field});
+  }
+}
+
+void StageProgram::check_params() const {
+  for (const ComputeProgram::UniformMember& member : program_.params()) {
+    const auto& layout = params_layout();
+    const auto known = std::find_if(layout.begin(), layout.end(),
+                                    [&](const ParamsMember& row) { return row.name == member.name; });
+    if (known != layout.end() && known->offset == member.offset && gl_type(known->type) == member.type) continue;
+    throw Error(fmt::format("{}: the parameter {} does not have the type and place that the table gives it",
+                            program_.title(), member.name));
+  }
+}
+
+}  // namespace sluice::gpu

@@ -1,0 +1,54 @@
+// The programs of a stage: one per pass, each checked against the stage table and the layout of the fields.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/params.hpp"
+#include "core/stages.hpp"
+#include "gpu/compute_program.hpp"
+#include "gpu/prelude.hpp"
+
+namespace sluice::gpu {
+
+/// What a stage does in how many dispatches. `number` is PASS in the shader.
+struct Pass {
+  uint32_t number = 0;
+  Entry entry = Entry::invocation;
+  uint64_t count = 0;       ///< invocations, or what `count` means to groups
+  uint64_t per_group = 0;   ///< of `count`, how much one group takes
+  // Of reductions only: one level of the tree (shaders/lib/fold.glsl).
+  uint32_t fold_length = 0, fold_from = 0, fold_to = 0;
+  bool fold_first = true;
+};
+
+std::vector<Pass> passes_of(Stage stage, const Sizes& sizes, uint32_t group_size);
+
+/// Elements of scratch memory that the passes of all stages need.
+uint64_t scratch_size(const Sizes& sizes, uint32_t group_size);
+
+/// A block of a stage's shader: a field's, or one of the two that are none.
+struct BoundBlock {
+  enum class What { field, scratch, sweep_groups } what = What::field;
+  Field field = Field::count;
+};
+
+class StageProgram {
+ public:
+  /// Error when the shader's blocks, types, strides or offsets are not those of the tables.
+  StageProgram(const Context& context, Stage stage, const Needs& needs, uint32_t pass, Entry entry,
+               uint32_t group_size);
+
+  ComputeProgram& program() { return program_; }
+  /// By binding.
+  const std::vector<BoundBlock>& blocks() const { return blocks_; }
+
+ private:
+  void check_storage(Stage stage);
+  void check_params() const;
+
+  ComputeProgram program_;
+  std::vector<BoundBlock> blocks_;
+};
+
+}  // namespace sluice::gpu

@@ -1,0 +1,100 @@
+// Timestamps in a ring, or a clock.
+#include "gpu/timer.hpp"
+
+#include <epoxy/gl.h>
+
+#include <chrono>
+#include <vector>
+
+#include "gpu/context.hpp"
+
+namespace sluice::gpu {
+namespace {
+
+constexpr size_t most_pending = 1024;  ///< stages that are timed before the oldest are read
+
+double now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+double timestamp(GLuint query) {
+  GLuint64 nanoseconds = 0;
+  glGetQueryObjectui64v(query, GL_QUERY_RESULT, &nanoseconds);
+  return 1e-9 * static_cast<double>(nanoseconds);
+}
+
+}  // namespace
+
+struct StageTimer::Queries {
+  struct Timed {
+    Stage stage;
+    GLuint begin, end;
+  };
+  GLuint take() {
+    if (unused.empty()) {
+      unused.resize(64);
+      glGenQueries(64, unused.data());
+    }
+    const GLuint query = unused.back();
+    unused.pop_back();
+    glQueryCounter(query, GL_TIMESTAMP);
+    return query;
+  }
+  std::deque<Timed> pending;
+  std::vector<GLuint> unused;
+  GLuint begun = 0;
+};
+
+StageTimer::StageTimer(const Context& context) : context_(context) {
+  if (!context.software()) queries_ = std::make_unique<Queries>();
+}
+
+StageTimer::~StageTimer() {
+  if (!queries_) return;
+  context_.make_current();
+  for (const auto& timed : queries_->pending) {
+    queries_->unused.push_back(timed.begin);
+    queries_->unused.push_back(timed.end);
+  }
+  glDeleteQueries(static_cast<GLsizei>(queries_->unused.size()), queries_->unused.data());
+}
+
+void StageTimer::begin() {
+  if (queries_)
+    queries_->begun = queries_->take();
+  else
+    started_ = now();
+}
+
+void StageTimer::end(Stage stage) {
+  if (queries_) {
+    queries_->pending.push_back({stage, queries_->begun, queries_->take()});
+    if (queries_->pending.size() > most_pending) collect(most_pending / 2);
+  } else {
+    glFinish();
+    seconds_[static_cast<uint32_t>(stage)] += now() - started_;
+  }
+}
+
+/// Reads the oldest queries until `keep` are left.
+void StageTimer::collect(size_t keep) {
+  while (queries_ && queries_->pending.size() > keep) {
+    const auto [stage, begin, end] = queries_->pending.front();
+    queries_->pending.pop_front();
+    seconds_[static_cast<uint32_t>(stage)] += timestamp(end) - timestamp(begin);
+    queries_->unused.push_back(begin);
+    queries_->unused.push_back(end);
+  }
+}
+
+void StageTimer::reset() {
+  collect(0);
+  seconds_.fill(0);
+}
+
+double StageTimer::seconds(Stage stage) {
+  collect(0);
+  return seconds_[static_cast<uint32_t>(stage)];
+}
+
+}  // namespace sluice::gpu

@@ -1,0 +1,40 @@
+// All that a particle needs of the boundary in this step, summed once [Hunkler 2022, section 5.2]:
+//   wall_density = m sum_b W_ib        B_i = m sum_b dW_ib        wall_gradient_squares = sum_b |m dW_ib|^2
+//   wall_viscosity = m sum_b dW_ib x_ib^T / (x_ib.x_ib + 0.01 H^2)
+
+#include "lib/grid.glsl"
+#include "lib/kernel.glsl"
+
+void run(uint i) {
+  vec2 x_i = x[i];
+  uint middle = cell_of(x_i);
+  precise float W = 0.0, squares = 0.0;
+  precise vec2 gradient = vec2(0.0);
+  precise vec4 tensor = vec4(0.0);
+  for (uint row = 0u; row < 3u; ++row) {
+    uint first = C_boundary[middle + row * params.columns - params.columns - 1u];
+    uint last = C_boundary[middle + row * params.columns - params.columns + 2u];
+    for (uint b = first; b < last; ++b) {
+      precise vec2 x_ib = x_i - x_boundary[b];
+      precise float r_squared = dot_of(x_ib, x_ib);
+      if (!(r_squared < params.support_squared)) continue;
+      precise float r = sqrt(r_squared);
+      vec2 dW = kernel_gradient(x_ib, r);
+      W += kernel(r);
+      gradient += dW;
+      squares += dot_of(dW, dW);
+      if (viscous) {
+        precise vec2 y = x_ib / (r_squared + params.viscosity_floor);
+        tensor += vec4(dW.x * y.x, dW.x * y.y, dW.y * y.x, dW.y * y.y);
+      }
+    }
+  }
+  W *= params.m;
+  gradient *= params.m;
+  squares *= params.m * params.m;
+  tensor *= params.m;
+  wall_density[i] = W;
+  wall_gradient[i] = gradient;
+  if (linear_system) wall_gradient_squares[i] = squares;
+  if (viscous) wall_viscosity[i] = tensor;
+}

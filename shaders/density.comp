@@ -1,0 +1,16 @@
+// Density by summation over the neighbours, the particle itself and the boundary [Hunkler 2022, algorithm 5]:
+//   rho_i = m (W_ii + sum_j W_ij) + m sum_b W_ib
+
+#include "lib/kernel.glsl"
+#include "lib/neighbours.glsl"
+
+void run(uint i) {
+  vec2 x_i = x[i];
+  precise float sum = kernel(0.0);
+  for_each_neighbour(i, entry) {
+    precise vec2 x_ij = x_i - x[index[entry]];
+    sum += kernel(length_of(x_ij));
+  }
+  sum = params.m * sum + (walls ? wall_density[i] : 0.0);
+  rho[i] = sum;
+}

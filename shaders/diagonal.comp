@@ -1,0 +1,24 @@
+// IISPH: diagonal of the pressure system, sums over fluid and boundary neighbours alike [Hunkler 2022, eq. 5.13]:
+//   A_ii = -dt^2/rho_i^2 ( |m sum dW|^2 + sum |m dW|^2 )
+
+#include "lib/neighbours.glsl"
+#include "lib/vectors.glsl"
+
+void run(uint i) {
+  precise vec2 sum = vec2(0.0);
+  precise float squares = 0.0;
+  for_each_neighbour(i, entry) {
+    vec2 dW = gradient_of(entry);
+    sum += dW;
+    squares += dot_of(dW, dW);
+  }
+  sum = params.m * sum;
+  squares = params.m * params.m * squares;
+  if (walls) {
+    sum += wall_gradient[i];
+    squares += wall_gradient_squares[i];
+  }
+  precise float scale = params.dt / rho[i];
+  precise float diagonal = -(scale * scale) * (dot_of(sum, sum) + squares);
+  A_ii[i] = diagonal;
+}

@@ -1,0 +1,15 @@
+// Sorts L within each cell by id, so that the order of all later sums depends on the state alone. The CPU inserts;
+// here every particle counts those of its cell with a smaller id, all at once, and moves to that place.
+
+void run(uint place) {
+#if PASS == 0
+  uint particle = L[place];
+  uint id_of_particle = id_in[particle];
+  uint first = C[cell[particle]], last = C[cell[particle] + 1u];
+  uint rank = 0u;
+  for (uint k = first; k < last; ++k) rank += uint(id_in[L[k]] < id_of_particle);
+  scratch[first + rank] = particle;
+#else
+  L[place] = scratch[place];
+#endif
+}
