@@ -25,6 +25,9 @@ constexpr uint64_t largest_buffer = 0xfffffff0;
 
 bool is_uint(Field field) { return info(field).type == Type::uint || info(field).type == Type::uvec2; }
 
+/// One texel per component.
+GLenum texel_format(Field field) { return is_uint(field) ? GL_R32UI : GL_R32F; }
+
 uint32_t limit(GLenum name, GLuint dimension) {
   GLint value = 0;
   glGetIntegeri_v(name, dimension, &value);
@@ -51,7 +54,9 @@ class Implementation final : public GpuBackend {
   void allocate(FieldSet fields, const Sizes& sizes) override {
     context_.make_current();
     sizes_ = sizes;
-    buffers_ = {};
+    for (auto& memory : memory_) memory.reset();
+    loads_ = context_.software() && fits_into_texels(fields, sizes) ? Loads::texels : Loads::blocks;
+    programs_.clear();
     for (uint32_t i = 0; i < field_count; ++i) {
       const Field field = static_cast<Field>(i);
       if (fields.has(field)) make_field(field);
@@ -64,7 +69,7 @@ class Implementation final : public GpuBackend {
     context_.make_current();
     sizes_.list = entries;
     for (const Field field : {Field::index, Field::gradient}) {
-      buffer_of(field).reset();  // before the larger one is made
+      memory_of(field).reset();  // before the larger one is made
       make_field(field);
     }
   }
@@ -97,7 +102,7 @@ class Implementation final : public GpuBackend {
   void swap(Field a, Field b) override {
     if (info(a).type != info(b).type || info(a).length != info(b).length)
       throw std::logic_error("swap of fields of different types");
-    std::swap(buffer_of(a), buffer_of(b));
+    std::swap(memory_of(a), memory_of(b));
   }
 
   void upload(Field field, std::span<const double> values) override {
@@ -136,10 +141,18 @@ class Implementation final : public GpuBackend {
   std::string device() const override { return context_.renderer(); }
   Precision precision() const override { return Precision::single_; }
   int threads() const override { return 1; }
-  const Buffer& buffer(Field field) const override { return buffers_[static_cast<uint32_t>(field)].value(); }
+  const Buffer& buffer(Field field) const override { return memory_of(field).value().buffer; }
 
  private:
-  std::optional<Buffer>& buffer_of(Field field) { return buffers_[static_cast<uint32_t>(field)]; }
+  /// A field's memory, and the same as texels.
+  struct Memory {
+    explicit Memory(const Context& context) : buffer(context), texels(context) {}
+    Buffer buffer;
+    Texture texels;
+  };
+
+  std::optional<Memory>& memory_of(Field field) { return memory_[static_cast<uint32_t>(field)]; }
+  const std::optional<Memory>& memory_of(Field field) const { return memory_[static_cast<uint32_t>(field)]; }
 
   /// Gives `buffer` room for `bytes` zeros.
   void make_room(const Buffer& buffer, uint64_t bytes, std::string_view what) const {
@@ -159,8 +172,11 @@ class Implementation final : public GpuBackend {
   uint64_t bytes_of(Field field) const { return element_count(field) * element_bytes(info(field).type, 4); }
 
   void make_field(Field field) {
-    buffer_of(field).emplace(context_);
-    make_room(*buffer_of(field), bytes_of(field), info(field).name);
+    Memory& memory = memory_of(field).emplace(context_);
+    make_room(memory.buffer, bytes_of(field), info(field).name);
+    if (loads_ == Loads::blocks) return;
+    glBindTexture(GL_TEXTURE_BUFFER, memory.texels.name());
+    glTexBuffer(GL_TEXTURE_BUFFER, texel_format(field), memory.buffer.name());
   }
 
   void plan_passes() {
@@ -172,7 +188,7 @@ class Implementation final : public GpuBackend {
     const auto key = std::tuple(stage, pass.number, facts);
     const auto known = programs_.find(key);
     if (known != programs_.end()) return known->second;
-    StageProgram made(context_, stage, needs_, pass.number, pass.entry, group_size_);
+    StageProgram made(context_, stage, needs_, pass.number, pass.entry, group_size_, loads_);
     return programs_.emplace(key, std::move(made)).first->second;
   }
 
@@ -181,7 +197,24 @@ class Implementation final : public GpuBackend {
     for (GLuint binding = 0; binding < blocks.size(); ++binding) {
       glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, buffer_for(blocks[binding]).name());
     }
+    const auto& images = stage_program.images();
+    for (GLuint unit = 0; unit < images.size(); ++unit) {
+      const std::optional<Memory>& memory = memory_of(images[unit]);
+      if (!memory) continue;
+      glBindImageTexture(unit, memory->texels.name(), 0, GL_FALSE, 0, GL_READ_ONLY,
+                         texel_format(images[unit]));
+    }
     glBindBufferBase(GL_UNIFORM_BUFFER, 0, params_.name());
+  }
+
+  static bool fits_into_texels(FieldSet fields, const Sizes& sizes) {
+    GLint most = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
+    for (uint32_t i = 0; i < field_count; ++i) {
+      const uint64_t texels = sizes.of(field_table[i].length) * element_bytes(field_table[i].type, 4) / 4;
+      if (fields.has(static_cast<Field>(i)) && texels > static_cast<uint64_t>(most)) return false;
+    }
+    return true;
   }
 
   const Buffer& buffer_for(const BoundBlock& block) const {
@@ -190,8 +223,8 @@ class Implementation final : public GpuBackend {
       case BoundBlock::What::sweep_groups: return sweep_groups_;
       case BoundBlock::What::field: break;
     }
-    const std::optional<Buffer>& buffer = buffers_[static_cast<uint32_t>(block.field)];
-    return buffer ? *buffer : unused_;  // of a model that the scene does without
+    const std::optional<Memory>& memory = memory_of(block.field);
+    return memory ? memory->buffer : unused_;  // of a model that the scene does without
   }
 
   void run(Stage stage, bool unless_solved) {
@@ -214,9 +247,9 @@ class Implementation final : public GpuBackend {
   }
 
   void require_size(Field field, size_t values, size_t bytes) const {
-    if (buffers_[static_cast<uint32_t>(field)] && bytes == bytes_of(field)) return;
+    if (memory_of(field) && bytes == bytes_of(field)) return;
     throw std::logic_error(fmt::format("field {}: {} values for {} elements", info(field).name, values,
-                                       buffers_[static_cast<uint32_t>(field)] ? element_count(field) : 0));
+                                       memory_of(field) ? element_count(field) : 0));
   }
 
   template <class T>
@@ -242,7 +275,8 @@ class Implementation final : public GpuBackend {
   Needs needs_;
   mutable StageTimer timer_;
   Buffer params_, scratch_, sweep_groups_, unused_;
-  std::array<std::optional<Buffer>, field_count> buffers_;
+  std::array<std::optional<Memory>, field_count> memory_;
+  Loads loads_ = Loads::blocks;
   std::array<std::vector<Pass>, stage_count> passes_;
   std::map<std::tuple<Stage, uint32_t, uint32_t>, StageProgram> programs_;
   mutable std::vector<float> staging_;

@@ -35,7 +35,8 @@ std::array<GLint, n> properties(GLuint program, GLenum kind, GLuint index, const
 /// Whatever reads next, from whichever side, sees what was written.
 void make_visible() {
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT |
-                  GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_ELEMENT_ARRAY_BARRIER_BIT | GL_UNIFORM_BARRIER_BIT);
+                  GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_ELEMENT_ARRAY_BARRIER_BIT |
+                  GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
 }
 
 }  // namespace
@@ -70,7 +71,10 @@ void ComputeProgram::read_interface() {
     const auto [block, type, offset, location] =
         properties<4>(program, GL_UNIFORM, k, {GL_BLOCK_INDEX, GL_TYPE, GL_OFFSET, GL_LOCATION});
     const std::string name = resource_name(program, GL_UNIFORM, k);
-    if (block < 0) {
+    if (type == GL_IMAGE_BUFFER || type == GL_UNSIGNED_INT_IMAGE_BUFFER) {
+      glProgramUniform1i(program, location, static_cast<GLint>(images_.size()));
+      images_.push_back(name);
+    } else if (block < 0) {
       uniforms_[name] = location;
     } else if (name.starts_with(params_prefix)) {
       params_.push_back({name.substr(params_prefix.size()), static_cast<uint32_t>(type),

@@ -36,6 +36,8 @@ class ComputeProgram {
 
   const std::string& title() const { return title_; }
   const std::vector<StorageBlock>& storage() const { return storage_; }
+  /// Images that the shader reads, bound by their place among them.
+  const std::vector<std::string>& images() const { return images_; }
   /// Members of the uniform block of parameters; empty when the shader uses none.
   const std::vector<UniformMember>& params() const { return params_; }
 
@@ -53,6 +55,7 @@ class ComputeProgram {
   std::string title_;
   ProgramObject program_;
   std::vector<StorageBlock> storage_;
+  std::vector<std::string> images_;
   std::vector<UniformMember> params_;
   std::map<std::string, int> uniforms_;
 };

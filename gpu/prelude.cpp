@@ -63,25 +63,44 @@ bool has_scratch(Stage stage) {
     case Stage::grid_scan:
     case Stage::grid_order:
     case Stage::neighbours:
+    case Stage::pressure_update:
     case Stage::residual:
     case Stage::totals: return true;
     default: return false;
   }
 }
 
-std::string fields(Stage stage) {
+std::string loader(Field field, Loads loads) {
+  const std::string_view name = info(field).name;
+  if (loads == Loads::blocks) return fmt::format("#define load_{0}(i) {0}[i]\n", name);
+  const std::string texels = texels_name(field);
+  const uint32_t components = element_bytes(info(field).type, 4) / 4;
+  std::string value;
+  for (uint32_t k = 0; k < components; ++k) {
+    const std::string at = components == 1 ? "i" : fmt::format("{}u * (i) + {}u", components, k);
+    value += fmt::format("{}imageLoad({}, int({})).x", k == 0 ? "" : ", ", texels, at);
+  }
+  const bool real = info(field).type != Type::uint && info(field).type != Type::uvec2;
+  return fmt::format("layout({}) uniform readonly restrict {} {};\n#define load_{}(i) {}({})\n",
+                     real ? "r32f" : "r32ui", real ? "imageBuffer" : "uimageBuffer", texels, name,
+                     glsl_type(info(field).type), value);
+}
+
+std::string fields(Stage stage, Loads loads) {
   std::string text;
   for (uint32_t i = 0; i < field_count; ++i) {
     const Field field = static_cast<Field>(i);
     const bool reads = info(stage).reads.has(field), writes = info(stage).writes.has(field);
     if (!reads && !writes) continue;
     text += storage(block_name(field), writes ? "" : "readonly ", glsl_type(info(field).type), info(field).name);
+    if (!writes) text += loader(field, loads);
   }
   return text;
 }
 
 }  // namespace
 
+std::string texels_name(Field field) { return std::string(info(field).name) + "_texels"; }
 std::string block_name(Field field) { return std::string(info(field).name) + "_block"; }
 
 const std::vector<ParamsMember>& params_layout() {
@@ -126,12 +145,13 @@ std::vector<std::byte> params_bytes(const Params& params) {
   return bytes;
 }
 
-std::string prelude(Stage stage, const Needs& needs, uint32_t pass, uint32_t group_size) {
+std::string prelude(Stage stage, const Needs& needs, uint32_t pass, uint32_t group_size, Loads loads) {
   std::string text = "#version 430 core\n";
   text += fmt::format("layout(local_size_x = {}) in;\n", group_size);
   text += constants(needs, pass, group_size);
   text += params_declaration();
-  text += fields(stage);
+  text += fields(stage, loads);
+  text += "#define load(field, i) load_##field(i)\n";
   if (has_scratch(stage)) text += storage(scratch_block, "", "uint", "scratch");
   if (stage == Stage::residual) text += storage(sweep_groups_block, "", "uint", "sweep_groups");
   text += "uniform uint count;  // what this pass runs over\n";

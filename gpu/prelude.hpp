@@ -19,11 +19,18 @@ enum class Entry { invocation, group };
 /// Consecutive cells that one invocation of the prefix sum takes.
 inline constexpr uint32_t scan_width = 16;
 
-std::string prelude(Stage stage, const Needs& needs, uint32_t pass, uint32_t group_size);
+/// How `load(field, i)` reads a field that the stage does not write: from its storage block, or as a texel of an
+/// image of the buffer. On graphics cards the first is the fast way; llvmpipe reads a block's elements one by one,
+/// with a branch for each, and texels together, about five times as fast.
+enum class Loads { blocks, texels };
+
+std::string prelude(Stage stage, const Needs& needs, uint32_t pass, uint32_t group_size, Loads loads);
 std::string_view epilogue(Entry entry);
 
 /// Block of the field in GLSL: "x_block"; the array in it has the field's name.
 std::string block_name(Field field);
+/// The field as an image: "x_texels".
+std::string texels_name(Field field);
 /// Storage blocks that are no fields: memory for the passes of one stage, and the number of groups that the
 /// next sweep runs in each dimension.
 inline constexpr std::string_view scratch_block = "scratch_block", sweep_groups_block = "sweep_groups_block";

@@ -64,6 +64,14 @@ uint32_t gl_type(Type type) {
   return GL_NONE;
 }
 
+/// The field that `name_of` calls `name`; Field::count if none.
+Field field_named(const std::string& name, std::string (*name_of)(Field)) {
+  for (uint32_t i = 0; i < field_count; ++i) {
+    if (name_of(static_cast<Field>(i)) == name) return static_cast<Field>(i);
+  }
+  return Field::count;
+}
+
 }  // namespace
 
 std::vector<Pass> passes_of(Stage stage, const Sizes& sizes, uint32_t group_size) {
@@ -79,7 +87,8 @@ std::vector<Pass> passes_of(Stage stage, const Sizes& sizes, uint32_t group_size
       return {each_invocation(0, n, group_size), each_invocation(1, groups_of(n, slice_width), group_size),
               each_invocation(2, n, group_size)};
     case Stage::pressure_update:
-    case Stage::diagnostics: return {each_group(0, n, group_size)};
+      return {each_invocation(0, n, group_size), each_invocation(1, sizes.chunks(), group_size)};
+    case Stage::diagnostics: return {each_invocation(0, sizes.chunks(), group_size)};
     case Stage::residual: return fold_passes(sizes.chunks(), 2, 1, group_size);
     case Stage::totals: return fold_passes(sizes.chunks(), total_count, total_count, group_size);
     default: return {each_invocation(0, n, group_size)};
@@ -93,10 +102,11 @@ uint64_t scratch_size(const Sizes& sizes, uint32_t group_size) {
 }
 
 StageProgram::StageProgram(const Context& context, Stage stage, const Needs& needs, uint32_t pass, Entry entry,
-                           uint32_t group_size)
+                           uint32_t group_size, Loads loads)
     : program_(context, context.shaders().load(std::string(info(stage).name) + ".comp",
-                                               prelude(stage, needs, pass, group_size), epilogue(entry))) {
+                                               prelude(stage, needs, pass, group_size, loads), epilogue(entry))) {
   check_storage(stage);
+  check_images(stage);
   check_params();
 }
 
@@ -107,10 +117,7 @@ void StageProgram::check_storage(Stage stage) {
                          Field::count});
       continue;
     }
-    Field field = Field::count;
-    for (uint32_t i = 0; i < field_count; ++i) {
-      if (block_name(static_cast<Field>(i)) == block.name) field = static_cast<Field>(i);
-    }
+    const Field field = field_named(block.name, block_name);
     if (field == Field::count || !(info(stage).reads | info(stage).writes).has(field)) {
       throw Error(fmt::format("{}: has the storage block {}, which the stage's row in the table does not",
                               program_.title(), block.name));
@@ -121,6 +128,17 @@ void StageProgram::check_storage(Stage stage) {
                               info(field).name, block.stride, expected));
     }
     blocks_.push_back({BoundBlock::What::field, field});
+  }
+}
+
+void StageProgram::check_images(Stage stage) {
+  for (const std::string& image : program_.images()) {
+    const Field field = field_named(image, texels_name);
+    if (field == Field::count || !info(stage).reads.has(field) || info(stage).writes.has(field)) {
+      throw Error(fmt::format("{}: reads the image {}, which the stage's row in the table does not give it",
+                              program_.title(), image));
+    }
+    images_.push_back(field);
   }
 }
 

@@ -37,18 +37,22 @@ class StageProgram {
  public:
   /// Error when the shader's blocks, types, strides or offsets are not those of the tables.
   StageProgram(const Context& context, Stage stage, const Needs& needs, uint32_t pass, Entry entry,
-               uint32_t group_size);
+               uint32_t group_size, Loads loads);
 
   ComputeProgram& program() { return program_; }
   /// By binding.
   const std::vector<BoundBlock>& blocks() const { return blocks_; }
+  /// Fields read as images, by unit.
+  const std::vector<Field>& images() const { return images_; }
 
  private:
   void check_storage(Stage stage);
+  void check_images(Stage stage);
   void check_params() const;
 
   ComputeProgram program_;
   std::vector<BoundBlock> blocks_;
+  std::vector<Field> images_;
 };
 
 }  // namespace sluice::gpu

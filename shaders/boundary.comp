@@ -6,16 +6,16 @@
 #include "lib/kernel.glsl"
 
 void run(uint i) {
-  vec2 x_i = x[i];
+  vec2 x_i = load(x, i);
   uint middle = cell_of(x_i);
   precise float W = 0.0, squares = 0.0;
   precise vec2 gradient = vec2(0.0);
   precise vec4 tensor = vec4(0.0);
   for (uint row = 0u; row < 3u; ++row) {
-    uint first = C_boundary[middle + row * params.columns - params.columns - 1u];
-    uint last = C_boundary[middle + row * params.columns - params.columns + 2u];
+    uint first = load(C_boundary, middle + row * params.columns - params.columns - 1u);
+    uint last = load(C_boundary, middle + row * params.columns - params.columns + 2u);
     for (uint b = first; b < last; ++b) {
-      precise vec2 x_ib = x_i - x_boundary[b];
+      precise vec2 x_ib = x_i - load(x_boundary, b);
       precise float r_squared = dot_of(x_ib, x_ib);
       if (!(r_squared < params.support_squared)) continue;
       precise float r = sqrt(r_squared);

@@ -5,12 +5,12 @@
 #include "lib/neighbours.glsl"
 
 void run(uint i) {
-  vec2 x_i = x[i];
+  vec2 x_i = load(x, i);
   precise float sum = kernel(0.0);
   for_each_neighbour(i, entry) {
-    precise vec2 x_ij = x_i - x[index[entry]];
+    precise vec2 x_ij = x_i - load(x, load(index, entry));
     sum += kernel(length_of(x_ij));
   }
-  sum = params.m * sum + (walls ? wall_density[i] : 0.0);
+  sum = params.m * sum + (walls ? load(wall_density, i) : 0.0);
   rho[i] = sum;
 }

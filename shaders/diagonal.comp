@@ -15,10 +15,10 @@ void run(uint i) {
   sum = params.m * sum;
   squares = params.m * params.m * squares;
   if (walls) {
-    sum += wall_gradient[i];
-    squares += wall_gradient_squares[i];
+    sum += load(wall_gradient, i);
+    squares += load(wall_gradient_squares, i);
   }
-  precise float scale = params.dt / rho[i];
+  precise float scale = params.dt / load(rho, i);
   precise float diagonal = -(scale * scale) * (dot_of(sum, sum) + squares);
   A_ii[i] = diagonal;
 }

@@ -17,16 +17,16 @@ void run(uint i) {
     list_needed[0] = 0u;
     scratch[0] = 0u;
   }
-  vec2 x_i = x[i];
+  vec2 x_i = load(x, i);
   uint middle = cell_of(x_i);
   uint found = 0u, candidates = 0u;
   for (uint row = 0u; row < 3u; ++row) {
-    uint first = C[middle + row * params.columns - params.columns - 1u];
-    uint last = C[middle + row * params.columns - params.columns + 2u];
+    uint first = load(C, middle + row * params.columns - params.columns - 1u);
+    uint last = load(C, middle + row * params.columns - params.columns + 2u);
     candidates += last - first;
     if (candidates > most_candidates) break;
     for (uint j = first; j < last; ++j) {
-      precise vec2 x_ij = x_i - x[j];
+      precise vec2 x_ij = x_i - load(x, j);
       found += uint(dot_of(x_ij, x_ij) < params.support_squared) & uint(j != i);
     }
   }
@@ -54,15 +54,15 @@ void run(uint i) {
     if (i == 0u && beyond_bounds) list_needed[0] = list_beyond_bounds;
     return;
   }
-  vec2 x_i = x[i];
+  vec2 x_i = load(x, i);
   uint middle = cell_of(x_i);
   uint entry = list[i].x;
   uint lane = entry % slice_width;
   for (uint row = 0u; row < 3u; ++row) {
-    uint first = C[middle + row * params.columns - params.columns - 1u];
-    uint last = C[middle + row * params.columns - params.columns + 2u];
+    uint first = load(C, middle + row * params.columns - params.columns - 1u);
+    uint last = load(C, middle + row * params.columns - params.columns + 2u);
     for (uint j = first; j < last; ++j) {
-      precise vec2 x_ij = x_i - x[j];
+      precise vec2 x_ij = x_i - load(x, j);
       precise float r_squared = dot_of(x_ij, x_ij);
       if (!(r_squared < params.support_squared) || j == i) continue;
       vec2 dW = kernel_gradient(x_ij, length_of(x_ij));

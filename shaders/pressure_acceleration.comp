@@ -5,12 +5,12 @@
 #include "lib/neighbours.glsl"
 
 void run(uint i) {
-  float q_i = q[i];
+  float q_i = load(q, i);
   precise vec2 sum = vec2(0.0);
   for_each_neighbour(i, entry) {
-    sum += (q_i + q[index[entry]]) * gradient_of(entry);
+    sum += (q_i + load(q, load(index, entry))) * gradient_of(entry);
   }
   sum = -(params.m * sum);
-  if (walls) sum -= (q_i + p[i] * params.wall_pressure) * wall_gradient[i];
+  if (walls) sum -= (q_i + load(p, i) * params.wall_pressure) * load(wall_gradient, i);
   a_p[i] = sum;
 }

@@ -5,14 +5,14 @@
 #include "lib/vectors.glsl"
 
 void run(uint i) {
-  vec2 a_i = a_p[i];
+  vec2 a_i = load(a_p, i);
   precise float sum = 0.0;
   for_each_neighbour(i, entry) {
-    precise vec2 a_ij = a_i - a_p[index[entry]];
+    precise vec2 a_ij = a_i - load(a_p, load(index, entry));
     sum += dot_of(a_ij, gradient_of(entry));
   }
   sum = params.m * sum;
-  if (walls) sum += dot_of(a_i, wall_gradient[i]);
+  if (walls) sum += dot_of(a_i, load(wall_gradient, i));
   sum = (params.dt * params.dt) * sum;
   Ap[i] = sum;
 }

@@ -1,36 +1,35 @@
 // IISPH: one relaxed Jacobi step, p := max(p + omega (s - Ap)/A_ii, 0), and q = p/rho^2; per chunk of 64 particles the
 // residual |Ap - s|/rho0, summed in their order over those whose updated pressure did not fall below zero, and how
-// many these are [Hunkler 2022, algorithm 6]. A particle with A_ii = 0 keeps its pressure and is not counted.
+// many these are [Hunkler 2022, algorithm 6]. A particle with A_ii = 0 keeps its pressure and is not counted. In two
+// passes, particles and chunks.
 
-shared float errors[group_size];
-shared float counted[group_size];
+const float not_counted = -1.0;
 
-void run_group(uint group) {
-  uint lane = gl_LocalInvocationIndex;
-  uint i = group * group_size + lane;
-  errors[lane] = 0.0;
-  counted[lane] = 0.0;
-  if (i < count && A_ii[i] != 0.0) {
-    precise float difference = s[i] - Ap[i];
-    precise float pressure = p[i] + params.omega * difference / A_ii[i];
+void run(uint i) {
+#if PASS == 0
+  float A = load(A_ii, i);
+  float error_here = not_counted;
+  if (A != 0.0) {
+    precise float difference = load(s, i) - load(Ap, i);
+    precise float pressure = p[i] + params.omega * difference / A;
     precise float error = abs(difference) / params.rho0;
-    bool below = pressure < 0.0;
-    float rho_i = rho[i];
-    pressure = below ? 0.0 : pressure;  // not max(), which may hide NaN
+    error_here = pressure < 0.0 ? not_counted : error;
+    pressure = pressure < 0.0 ? 0.0 : pressure;  // not max(), which may hide NaN
+    float rho_i = load(rho, i);
     precise float quotient = pressure / (rho_i * rho_i);
     p[i] = pressure;
     q[i] = quotient;
-    errors[lane] = below ? 0.0 : error;
-    counted[lane] = below ? 0.0 : 1.0;
   }
-  barrier();
-  if (lane % chunk_width != 0u || i >= count) return;
-  precise float error_sum = 0.0, count_sum = 0.0;
-  for (uint k = lane; k < lane + chunk_width; ++k) {
-    error_sum += errors[k];
-    count_sum += counted[k];
+  scratch[i] = floatBitsToUint(error_here);
+#else
+  precise float error_sum = 0.0, counted = 0.0;
+  for (uint k = i * chunk_width; k < min((i + 1u) * chunk_width, params.n); ++k) {
+    float error = uintBitsToFloat(scratch[k]);
+    bool counts = error != not_counted;  // true for NaN
+    error_sum += counts ? error : 0.0;
+    counted += counts ? 1.0 : 0.0;
   }
-  uint chunks = (count + chunk_width - 1u) / chunk_width;
-  residual_sums[i / chunk_width] = error_sum;
-  residual_sums[chunks + i / chunk_width] = count_sum;
+  residual_sums[i] = error_sum;
+  residual_sums[count + i] = counted;
+#endif
 }

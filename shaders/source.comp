@@ -5,14 +5,14 @@
 #include "lib/vectors.glsl"
 
 void run(uint i) {
-  vec2 v_i = v_star[i];
+  vec2 v_i = load(v_star, i);
   precise float sum = 0.0;
   for_each_neighbour(i, entry) {
-    precise vec2 v_ij = v_i - v_star[index[entry]];
+    precise vec2 v_ij = v_i - load(v_star, load(index, entry));
     sum += dot_of(v_ij, gradient_of(entry));
   }
   sum = params.m * sum;
-  if (walls) sum += dot_of(v_i, wall_gradient[i]);
-  precise float right_hand_side = params.source_weight * (params.rho0 - rho[i]) - params.dt * sum;
+  if (walls) sum += dot_of(v_i, load(wall_gradient, i));
+  precise float right_hand_side = params.source_weight * (params.rho0 - load(rho, i)) - params.dt * sum;
   s[i] = right_hand_side;
 }

@@ -3,10 +3,11 @@
 // Macros, so that a stage declares only what it reads. A slice's gradients are its x components and then its y
 // components, 16 by 16.
 
-#define for_each_neighbour(i, entry)                                        \
-  for (uint entry = list[i].x, last_entry = entry + slice_width * list[i].y; \
+#define for_each_neighbour(i, entry)                                           \
+  uvec2 list_i = load(list, i);                                                \
+  for (uint entry = list_i.x, last_entry = entry + slice_width * list_i.y;     \
        entry != last_entry; entry += slice_width)
 
 #define gradient_of(entry)                                    \
-  vec2(gradient[2u * (entry) - (entry) % slice_width],         \
-       gradient[2u * (entry) - (entry) % slice_width + slice_width])
+  vec2(load(gradient, 2u * (entry) - (entry) % slice_width),   \
+       load(gradient, 2u * (entry) - (entry) % slice_width + slice_width))
