@@ -26,8 +26,9 @@ class Backend {
   virtual void configure(const Params& params, const Needs& needs) = 0;
 
   virtual void run(Stage stage) = 0;
-  /// Runs `stages`, a sweep of the pressure solve, `times` times, or until Field::sweeps says that the solve is
-  /// over. How often that is looked at is up to the backend; no sweep after the last one changes the pressure.
+  /// Runs `stages`, a sweep of the pressure solve, `times` times, or until Field::sweeps says that the solve
+  /// is over. How often that is looked at is up to the backend; no sweep after the last one changes the
+  /// pressure.
   virtual void sweep(const std::vector<Stage>& stages, uint32_t times);
   /// Exchanges the contents of two fields of one type and length, without copying.
   virtual void swap(Field a, Field b) = 0;

@@ -72,8 +72,8 @@ using Params = ParamsOf<double>;
 /// The constants of `scene` with `n` fluid particles.
 Params make_params(const Scene& scene, uint32_t n);
 
-/// The same for a relaxation of the positions: dt = 1, no external force, p starts at 0, s = rho0 - rho, and a
-/// tolerance of its own.
+/// The same for a relaxation of the positions: dt = 1, no external force, p starts at 0, s = rho0 - rho, and
+/// a tolerance of its own.
 Params make_relax_params(const Params& params);
 
 /// Grid cells along the edges of the scene's domain, padding included; as doubles, so that nothing overflows.

@@ -175,8 +175,8 @@ bool Simulator::list_was_too_short() {
         "around one; use a smaller time step or fewer particles",
         steps_));
   }
-  sizes_.list = std::min<uint64_t>(uint64_t{needed} + needed / 4, list_beyond_bounds - 1) / slice_width *
-                slice_width;
+  sizes_.list =
+      std::min<uint64_t>(uint64_t{needed} + needed / 4, list_beyond_bounds - 1) / slice_width * slice_width;
   backend_.resize_list(sizes_.list);
   return true;
 }

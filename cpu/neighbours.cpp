@@ -3,8 +3,8 @@
 //
 // Layout: slices of 16 particles; entry k of the particle in lane l of a slice stands at first + 16 k + l, so
 // that a slice is as long as the longest of its lists. Each thread fills its own part of the list from the
-// front. If a part is too short, searching goes on without storing, list_needed says how large the list has to
-// be, and all lists are left empty.
+// front. If a part is too short, searching goes on without storing, list_needed says how large the list has
+// to be, and all lists are left empty.
 #include <algorithm>
 #include <array>
 

@@ -1,5 +1,5 @@
-// IISPH: the two sums of pressure_update over all chunks, and whether the solve is over. Their quotient is the
-// error e of the stop test, which is met when e < tolerance and enough sweeps are done [Hunkler 2022,
+// IISPH: the two sums of pressure_update over all chunks, and whether the solve is over. Their quotient is
+// the error e of the stop test, which is met when e < tolerance and enough sweeps are done [Hunkler 2022,
 // algorithm 6]; nobody counted means e = 0. The test compares error with tolerance times count, so that no
 // division decides when a solve ends.
 #include "cpu/fold.hpp"

@@ -38,14 +38,17 @@ class Implementation final : public GpuBackend {
  public:
   Implementation(const Context& context, const BackendOptions& options)
       : context_(context),
-        group_size_(options.group_size > 0 ? options.group_size : context.software() ? 64 : 128),
+        group_size_(options.group_size > 0 ? options.group_size
+                    : context.software()   ? 64
+                                           : 128),
         timer_(context),
         params_(context),
         scratch_(context),
         sweep_groups_(context),
         unused_(context) {
     context_.make_current();
-    most_groups_ = std::min(limit(GL_MAX_COMPUTE_WORK_GROUP_COUNT, 0), limit(GL_MAX_COMPUTE_WORK_GROUP_COUNT, 1));
+    most_groups_ =
+        std::min(limit(GL_MAX_COMPUTE_WORK_GROUP_COUNT, 0), limit(GL_MAX_COMPUTE_WORK_GROUP_COUNT, 1));
     if (options.most_groups > 0) most_groups_ = std::min(most_groups_, options.most_groups);
     make_room(sweep_groups_, 3 * sizeof(uint32_t), "sweep groups");
     make_room(unused_, smallest_buffer, "nothing");
@@ -87,7 +90,8 @@ class Implementation final : public GpuBackend {
     run(stage, false);
   }
 
-  /// Enqueues all sweeps; the stage `residual` sees to it that those after the last one have no groups to run.
+  /// Enqueues all sweeps; the stage `residual` sees to it that those after the last one have no groups to
+  /// run.
   void sweep(const std::vector<Stage>& stages, uint32_t times) override {
     context_.make_current();
     const Groups all = spread((sizes_.fluid + group_size_ - 1) / group_size_, most_groups_);
@@ -157,9 +161,10 @@ class Implementation final : public GpuBackend {
   /// Gives `buffer` room for `bytes` zeros.
   void make_room(const Buffer& buffer, uint64_t bytes, std::string_view what) const {
     if (bytes > largest_buffer) {
-      throw EnvironmentError(fmt::format("{} needs {} in one buffer, more than shaders can address; use fewer "
-                                         "particles, or --backend cpu",
-                                         what, bytes_text(static_cast<double>(bytes))));
+      throw EnvironmentError(
+          fmt::format("{} needs {} in one buffer, more than shaders can address; use fewer "
+                      "particles, or --backend cpu",
+                      what, bytes_text(static_cast<double>(bytes))));
     }
     glBindBuffer(GL_COPY_WRITE_BUFFER, buffer.name());
     glBufferData(GL_COPY_WRITE_BUFFER, static_cast<GLsizeiptr>(std::max(bytes, smallest_buffer)), nullptr,
@@ -180,11 +185,13 @@ class Implementation final : public GpuBackend {
   }
 
   void plan_passes() {
-    for (uint32_t i = 0; i < stage_count; ++i) passes_[i] = passes_of(static_cast<Stage>(i), sizes_, group_size_);
+    for (uint32_t i = 0; i < stage_count; ++i)
+      passes_[i] = passes_of(static_cast<Stage>(i), sizes_, group_size_);
   }
 
   StageProgram& program(Stage stage, const Pass& pass) {
-    const auto facts = (needs_.boundary ? 1u : 0u) | (needs_.laplacian ? 2u : 0u) | (needs_.linear_system ? 4u : 0u);
+    const auto facts =
+        (needs_.boundary ? 1u : 0u) | (needs_.laplacian ? 2u : 0u) | (needs_.linear_system ? 4u : 0u);
     const auto key = std::tuple(stage, pass.number, facts);
     const auto known = programs_.find(key);
     if (known != programs_.end()) return known->second;

@@ -1,5 +1,5 @@
-// The GPU backend: every stage as OpenGL 4.3 compute shaders, in float. On Mesa's llvmpipe its results are those
-// of the CPU backend in float, bit for bit.
+// The GPU backend: every stage as OpenGL 4.3 compute shaders, in float. On Mesa's llvmpipe its results are
+// those of the CPU backend in float, bit for bit.
 #pragma once
 
 #include <memory>

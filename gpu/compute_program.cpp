@@ -25,7 +25,8 @@ GLuint resource_count(GLuint program, GLenum kind) {
 }
 
 template <size_t n>
-std::array<GLint, n> properties(GLuint program, GLenum kind, GLuint index, const std::array<GLenum, n>& names) {
+std::array<GLint, n> properties(GLuint program, GLenum kind, GLuint index,
+                                const std::array<GLenum, n>& names) {
   std::array<GLint, n> values{};
   glGetProgramResourceiv(program, kind, index, static_cast<GLsizei>(n), names.data(), static_cast<GLsizei>(n),
                          nullptr, values.data());
@@ -77,8 +78,8 @@ void ComputeProgram::read_interface() {
     } else if (block < 0) {
       uniforms_[name] = location;
     } else if (name.starts_with(params_prefix)) {
-      params_.push_back({name.substr(params_prefix.size()), static_cast<uint32_t>(type),
-                         static_cast<uint32_t>(offset)});
+      params_.push_back(
+          {name.substr(params_prefix.size()), static_cast<uint32_t>(type), static_cast<uint32_t>(offset)});
     }
   }
   const GLuint params = glGetUniformBlockIndex(program, "params_block");

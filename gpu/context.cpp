@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cstdlib>
 #include <utility>
 
 #include "core/error.hpp"
@@ -128,6 +129,11 @@ std::string describe(const std::vector<DeviceInfo>& devices) {
                         device.software ? " (software)" : "");
   }
   return text;
+}
+
+void suit_software_threads(uint64_t particles) {
+  constexpr uint64_t worth_handing_over = 20'000;
+  if (particles < worth_handing_over) setenv("LP_NUM_THREADS", "0", 0);
 }
 
 Context::Context(std::optional<int> device, ShaderLibrary shaders) {

@@ -26,6 +26,11 @@ std::vector<DeviceInfo> list_devices();
 /// One line per device, for messages and for the user.
 std::string describe(const std::vector<DeviceInfo>& devices);
 
+/// Where a processor plays the graphics card, fewer than about 20,000 particles are computed faster by one
+/// thread than handed over to several. Tells the driver so, unless LP_NUM_THREADS does; before the first
+/// Context.
+void suit_software_threads(uint64_t particles);
+
 /// EnvironmentError naming the Debian package when the shared library can't be loaded.
 void require_library(const char* library, const char* package);
 
@@ -35,8 +40,8 @@ class Context {
  public:
   /// Tries hardware devices, software devices, the surfaceless platform and the default display, in this
   /// order, or only the EGL device given. InputError when there is no such device; EnvironmentError, with
-  /// what was tried and what to install, when there is no OpenGL. `shaders` is where programs made from it come
-  /// from.
+  /// what was tried and what to install, when there is no OpenGL. `shaders` is where programs made from it
+  /// come from.
   explicit Context(std::optional<int> device = std::nullopt, ShaderLibrary shaders = ShaderLibrary());
   ~Context();
   Context(Context&&) noexcept;

@@ -33,7 +33,8 @@ std::string constants(const Needs& needs, uint32_t pass, uint32_t group_size) {
   add("solve_unfinished", static_cast<uint32_t>(Solve::unfinished));
   add("solve_converged", static_cast<uint32_t>(Solve::converged));
   add("solve_capped", static_cast<uint32_t>(Solve::capped));
-  for (uint32_t total = 0; total < total_count; ++total) add("total_" + std::string(total_names[total]), total);
+  for (uint32_t total = 0; total < total_count; ++total)
+    add("total_" + std::string(total_names[total]), total);
   add("total_count", total_count);
   add("first_max_total", first_max_total);
   const auto fact = [&](std::string_view name, bool value) {
@@ -53,7 +54,8 @@ std::string params_declaration() {
   return text + "} params;\n";
 }
 
-std::string storage(std::string_view block, std::string_view access, std::string_view type, std::string_view name) {
+std::string storage(std::string_view block, std::string_view access, std::string_view type,
+                    std::string_view name) {
   return fmt::format("layout(std430) restrict {}buffer {} {{ {} {}[]; }};\n", access, block, type, name);
 }
 
@@ -92,7 +94,8 @@ std::string fields(Stage stage, Loads loads) {
     const Field field = static_cast<Field>(i);
     const bool reads = info(stage).reads.has(field), writes = info(stage).writes.has(field);
     if (!reads && !writes) continue;
-    text += storage(block_name(field), writes ? "" : "readonly ", glsl_type(info(field).type), info(field).name);
+    text +=
+        storage(block_name(field), writes ? "" : "readonly ", glsl_type(info(field).type), info(field).name);
     if (!writes) text += loader(field, loads);
   }
   return text;

@@ -12,16 +12,16 @@
 
 namespace sluice::gpu {
 
-/// What one invocation of a pass stands for: `run(i)` is called for all i < count, or `run_group(group)` by all
-/// invocations of a group.
+/// What one invocation of a pass stands for: `run(i)` is called for all i < count, or `run_group(group)` by
+/// all invocations of a group.
 enum class Entry { invocation, group };
 
 /// Consecutive cells that one invocation of the prefix sum takes.
 inline constexpr uint32_t scan_width = 16;
 
-/// How `load(field, i)` reads a field that the stage does not write: from its storage block, or as a texel of an
-/// image of the buffer. On graphics cards the first is the fast way; llvmpipe reads a block's elements one by one,
-/// with a branch for each, and texels together, about five times as fast.
+/// How `load(field, i)` reads a field that the stage does not write: from its storage block, or as a texel of
+/// an image of the buffer. On graphics cards the first is the fast way; llvmpipe reads a block's elements one
+/// by one, with a branch for each, and texels together, about five times as fast.
 enum class Loads { blocks, texels };
 
 std::string prelude(Stage stage, const Needs& needs, uint32_t pass, uint32_t group_size, Loads loads);

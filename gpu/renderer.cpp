@@ -37,7 +37,8 @@ void clear(const Box& box, float grey) {
 }  // namespace
 
 struct Renderer::State {
-  State(Context& gl, glm::uvec2 picture, Vec2 view_min, Vec2 view_max, double diameter, ParticleShape shape)
+  State(const Context& gl, glm::uvec2 picture, Vec2 view_min, Vec2 view_max, double diameter,
+        ParticleShape shape)
       : context(gl),
         size(checked_size(gl, picture)),
         view(picture, view_min, view_max),
@@ -76,7 +77,7 @@ struct Renderer::State {
     return image;
   }
 
-  Context& context;
+  const Context& context;
   glm::uvec2 size;
   View view;
   Renderbuffer pixels;
@@ -86,7 +87,7 @@ struct Renderer::State {
   Panels panels;
 };
 
-Renderer::Renderer(Context& context, glm::uvec2 size, Vec2 view_min, Vec2 view_max, double diameter,
+Renderer::Renderer(const Context& context, glm::uvec2 size, Vec2 view_min, Vec2 view_max, double diameter,
                    ParticleShape shape)
     : state_(std::make_unique<State>(context, size, view_min, view_max, diameter, shape)) {}
 Renderer::~Renderer() = default;

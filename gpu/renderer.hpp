@@ -22,7 +22,7 @@ class Renderer {
   /// remains of the picture is shaded. `diameter` is a circle's, in units of the view. InputError when the
   /// picture is below 16 pixels or beyond the driver's limit, or the view is empty. The context outlives the
   /// renderer.
-  Renderer(Context& context, glm::uvec2 size, Vec2 view_min, Vec2 view_max, double diameter,
+  Renderer(const Context& context, glm::uvec2 size, Vec2 view_min, Vec2 view_max, double diameter,
            ParticleShape shape = ParticleShape::automatic);
   ~Renderer();
   Renderer(Renderer&&) noexcept;

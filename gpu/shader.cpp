@@ -88,10 +88,11 @@ ShaderLibrary::ShaderLibrary(std::optional<std::filesystem::path> folder) : fold
   for (const std::string_view name : embedded_names()) {
     if (is_shader(name) && std::filesystem::exists(*folder_ / name, error)) return;
   }
-  throw InputError(fmt::format(
-      "--shader-dir: found {}, which has no file named like one of the program's shaders, expected some of those "
-      "in the folder shaders/, as density.comp or lib/kernel.glsl",
-      folder_->string()));
+  throw InputError(
+      fmt::format("--shader-dir: found {}, which has no file named like one of the program's shaders, "
+                  "expected some of those "
+                  "in the folder shaders/, as density.comp or lib/kernel.glsl",
+                  folder_->string()));
 }
 
 ShaderLibrary::File ShaderLibrary::read(std::string_view name) const {
@@ -125,7 +126,8 @@ void ShaderLibrary::append(ShaderSource& source, const File& file, std::vector<s
       included.push_back(*name);
       const File inner = read(*name);
       if (inner.text.empty()) {
-        refuse(file.overridden, fmt::format("{}:{}: no file \"{}\" to include", file.name, line_number, *name));
+        refuse(file.overridden,
+               fmt::format("{}:{}: no file \"{}\" to include", file.name, line_number, *name));
       }
       append(source, inner, included);
     }
@@ -133,7 +135,8 @@ void ShaderLibrary::append(ShaderSource& source, const File& file, std::vector<s
   }
 }
 
-ShaderSource ShaderLibrary::load(std::string_view name, std::string_view prelude, std::string_view epilogue) const {
+ShaderSource ShaderLibrary::load(std::string_view name, std::string_view prelude,
+                                 std::string_view epilogue) const {
   const File file = read(name);
   if (file.text.empty()) throw Error(fmt::format("{}: no such shader in this program; build it again", name));
   ShaderSource source;

@@ -25,9 +25,10 @@ class ShaderLibrary {
   /// InputError when the folder is not there or has no shader that the program knows.
   explicit ShaderLibrary(std::optional<std::filesystem::path> folder = std::nullopt);
 
-  /// `prelude`, then the shader of this name with lines `#include "FILE"` replaced by that file, each file once.
-  /// Error when there is no shader, InputError when an overridden one includes what is not there.
-  ShaderSource load(std::string_view name, std::string_view prelude = {}, std::string_view epilogue = {}) const;
+  /// `prelude`, then the shader of this name with lines `#include "FILE"` replaced by that file, each file
+  /// once. Error when there is no shader, InputError when an overridden one includes what is not there.
+  ShaderSource load(std::string_view name, std::string_view prelude = {},
+                    std::string_view epilogue = {}) const;
 
  private:
   struct File {
@@ -46,7 +47,8 @@ std::string with_file_names(std::string_view log, const std::vector<std::string>
 /// A compiled shader; needed only until its program is linked.
 class Shader {
  public:
-  /// `kind` is OpenGL's, as GL_COMPUTE_SHADER. Error, for overridden sources InputError, with the driver's log.
+  /// `kind` is OpenGL's, as GL_COMPUTE_SHADER. Error, for overridden sources InputError, with the driver's
+  /// log.
   Shader(uint32_t kind, const ShaderSource& source);
   ~Shader();
   Shader(const Shader&) = delete;

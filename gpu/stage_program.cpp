@@ -101,10 +101,11 @@ uint64_t scratch_size(const Sizes& sizes, uint32_t group_size) {
   return std::max({sizes.fluid, scan, folds, uint64_t{1}});
 }
 
-StageProgram::StageProgram(const Context& context, Stage stage, const Needs& needs, uint32_t pass, Entry entry,
-                           uint32_t group_size, Loads loads)
-    : program_(context, context.shaders().load(std::string(info(stage).name) + ".comp",
-                                               prelude(stage, needs, pass, group_size, loads), epilogue(entry))) {
+StageProgram::StageProgram(const Context& context, Stage stage, const Needs& needs, uint32_t pass,
+                           Entry entry, uint32_t group_size, Loads loads)
+    : program_(context,
+               context.shaders().load(std::string(info(stage).name) + ".comp",
+                                      prelude(stage, needs, pass, group_size, loads), epilogue(entry))) {
   check_storage(stage);
   check_images(stage);
   check_params();
@@ -113,8 +114,9 @@ StageProgram::StageProgram(const Context& context, Stage stage, const Needs& nee
 void StageProgram::check_storage(Stage stage) {
   for (const ComputeProgram::StorageBlock& block : program_.storage()) {
     if (block.name == scratch_block || block.name == sweep_groups_block) {
-      blocks_.push_back({block.name == scratch_block ? BoundBlock::What::scratch : BoundBlock::What::sweep_groups,
-                         Field::count});
+      blocks_.push_back(
+          {block.name == scratch_block ? BoundBlock::What::scratch : BoundBlock::What::sweep_groups,
+           Field::count});
       continue;
     }
     const Field field = field_named(block.name, block_name);
@@ -147,7 +149,8 @@ void StageProgram::check_params() const {
     const auto& layout = params_layout();
     const auto known = std::find_if(layout.begin(), layout.end(),
                                     [&](const ParamsMember& row) { return row.name == member.name; });
-    if (known != layout.end() && known->offset == member.offset && gl_type(known->type) == member.type) continue;
+    if (known != layout.end() && known->offset == member.offset && gl_type(known->type) == member.type)
+      continue;
     throw Error(fmt::format("{}: the parameter {} does not have the type and place that the table gives it",
                             program_.title(), member.name));
   }

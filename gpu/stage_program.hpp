@@ -15,8 +15,8 @@ namespace sluice::gpu {
 struct Pass {
   uint32_t number = 0;
   Entry entry = Entry::invocation;
-  uint64_t count = 0;       ///< invocations, or what `count` means to groups
-  uint64_t per_group = 0;   ///< of `count`, how much one group takes
+  uint64_t count = 0;      ///< invocations, or what `count` means to groups
+  uint64_t per_group = 0;  ///< of `count`, how much one group takes
   // Of reductions only: one level of the tree (shaders/lib/fold.glsl).
   uint32_t fold_length = 0, fold_from = 0, fold_to = 0;
   bool fold_first = true;

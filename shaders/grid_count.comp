@@ -7,7 +7,7 @@ void run(uint i) {
 #if PASS == 0
   C[i] = 0u;  // one invocation per cell
 #else
-  uint here = cell_of(x_in[i]);
+  uint here = cell_of(load(x_in, i));
   cell[i] = here;
   atomicAdd(C[here], 1u);
 #endif

@@ -4,10 +4,10 @@
 void run(uint place) {
 #if PASS == 0
   uint particle = L[place];
-  uint id_of_particle = id_in[particle];
-  uint first = C[cell[particle]], last = C[cell[particle] + 1u];
+  uint id_of_particle = load(id_in, particle);
+  uint first = load(C, load(cell, particle)), last = load(C, load(cell, particle) + 1u);
   uint rank = 0u;
-  for (uint k = first; k < last; ++k) rank += uint(id_in[L[k]] < id_of_particle);
+  for (uint k = first; k < last; ++k) rank += uint(load(id_in, L[k]) < id_of_particle);
   scratch[first + rank] = particle;
 #else
   L[place] = scratch[place];

@@ -2,6 +2,6 @@
 // [Hunkler 2022, algorithm 3]. The order within a cell is left to chance; grid_order settles it.
 
 void run(uint i) {
-  uint place = atomicAdd(C[cell[i]], 0xffffffffu) - 1u;
+  uint place = atomicAdd(C[load(cell, i)], 0xffffffffu) - 1u;
   L[place] = i;
 }

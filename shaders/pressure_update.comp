@@ -7,20 +7,16 @@ const float not_counted = -1.0;
 
 void run(uint i) {
 #if PASS == 0
-  float A = load(A_ii, i);
-  float error_here = not_counted;
-  if (A != 0.0) {
-    precise float difference = load(s, i) - load(Ap, i);
-    precise float pressure = p[i] + params.omega * difference / A;
-    precise float error = abs(difference) / params.rho0;
-    error_here = pressure < 0.0 ? not_counted : error;
-    pressure = pressure < 0.0 ? 0.0 : pressure;  // not max(), which may hide NaN
-    float rho_i = load(rho, i);
-    precise float quotient = pressure / (rho_i * rho_i);
-    p[i] = pressure;
-    q[i] = quotient;
-  }
-  scratch[i] = floatBitsToUint(error_here);
+  float A = load(A_ii, i), old = p[i], rho_i = load(rho, i);
+  precise float difference = load(s, i) - load(Ap, i);
+  precise float pressure = old + params.omega * difference / A;
+  precise float error = abs(difference) / params.rho0;
+  bool below = pressure < 0.0;
+  pressure = A == 0.0 ? old : below ? 0.0 : pressure;  // not max(), which may hide NaN
+  precise float quotient = pressure / (rho_i * rho_i);
+  p[i] = pressure;
+  q[i] = quotient;
+  scratch[i] = floatBitsToUint(below || A == 0.0 ? not_counted : error);
 #else
   precise float error_sum = 0.0, counted = 0.0;
   for (uint k = i * chunk_width; k < min((i + 1u) * chunk_width, params.n); ++k) {

@@ -2,8 +2,8 @@
 //   p = warm_start p_in,   q = p/rho^2
 
 void run(uint i) {
-  float rho_i = rho[i];
-  precise float pressure = params.warm_start * p_in[L[i]];
+  float rho_i = load(rho, i);
+  precise float pressure = params.warm_start * load(p_in, load(L, i));
   precise float quotient = pressure / (rho_i * rho_i);
   p[i] = pressure;
   q[i] = quotient;

@@ -58,8 +58,8 @@ std::vector<Needs> all_needs() {
 
 /// What is there before the first stage of a step.
 bool carried(Field field) {
-  return std::set{Field::id_in, Field::x_in, Field::v_in, Field::p_in, Field::C_boundary, Field::x_boundary,
-                  Field::sweeps}
+  return std::set{Field::id_in,      Field::x_in,       Field::v_in,  Field::p_in,
+                  Field::C_boundary, Field::x_boundary, Field::sweeps}
       .contains(field);
 }
 

@@ -10,6 +10,7 @@
 
 #include "apps/sluice/commands.hpp"
 #include "apps/sluice/frames.hpp"
+#include "apps/sluice/machine.hpp"
 #include "apps/sluice/progress.hpp"
 #include "apps/sluice/warnings.hpp"
 #include "core/error.hpp"
@@ -19,7 +20,6 @@
 #include "core/simulator.hpp"
 #include "core/state_file.hpp"
 #include "core/summary.hpp"
-#include "cpu/backend.hpp"
 
 namespace sluice {
 namespace {
@@ -29,21 +29,6 @@ constexpr double most_frames = 1e6;  // frame names have six digits
 
 volatile std::sig_atomic_t stop_requested = 0;
 extern "C" void request_stop(int) { stop_requested = 1; }
-
-std::unique_ptr<Backend> choose_backend(const RunOptions& options) {
-  if (options.backend == BackendChoice::gpu) {
-    if (options.precision == Precision::double_) {
-      throw InputError(
-          "--precision double: found it with --backend gpu, expected --backend cpu; the GPU computes in "
-          "float");
-    }
-    throw InputError("--backend gpu: not available yet; use --backend cpu");
-  }
-  if (options.backend == BackendChoice::automatic && !options.quiet) {
-    fmt::print(stderr, "backend: cpu, {} threads (the GPU backend is not available yet)\n", options.threads);
-  }
-  return cpu::make_backend(options.precision, options.threads);
-}
 
 uint64_t step_count(const RunOptions& options, const Scene& scene) {
   if (options.steps) return *options.steps;
@@ -89,12 +74,12 @@ void refuse_clashes(const RunOptions& options, const Scene& scene) {
 /// once.
 class Outputs {
  public:
-  Outputs(const RunOptions& options, const Scene& scene, const Samples& samples, Precision precision)
-      : precision_(precision) {
+  Outputs(const RunOptions& options, const Scene& scene, const Samples& samples, Machine& machine)
+      : precision_(machine.backend().precision()) {
     if (options.state) state_.emplace(*options.state);
     if (options.summary) summary_.emplace(*options.summary);
-    if (options.series) series_.emplace(*options.series, precision);
-    if (options.frames) frames_.emplace(scene, samples, *options.frames, options.overlay, options.gl_device);
+    if (options.series) series_.emplace(*options.series, precision_);
+    if (options.frames) frames_.emplace(scene, samples, *options.frames, options.overlay, machine.context());
   }
 
   void add(const Simulator& simulator, const StepReport& report, double seconds_per_step) {
@@ -178,17 +163,19 @@ int run_command(const RunOptions& options) {
   const uint64_t steps = step_count(options, scene);
   limit_frames(options, scene, steps);
   refuse_clashes(options, scene);
-  const std::unique_ptr<Backend> backend = choose_backend(options);
-  require_memory(scene, options.precision, available_memory());
+  require_memory(scene, options.machine.precision, available_memory());
   const Samples samples = sample(scene);
+  Machine machine(options.machine, samples.fluid.size());
+  if (options.machine.backend == BackendChoice::automatic && !options.quiet)
+    fmt::print(stderr, "backend: {}\n", machine.choice());
   warn_of_viscous_limit(scene, options.quiet);
 
-  Simulator simulator(scene, samples, *backend);  // may refuse the scene: then nothing is written
-  std::signal(SIGINT, request_stop);              // from here on there is something to finish
+  Simulator simulator(scene, samples, machine.backend());  // may refuse the scene: then nothing is written
+  std::signal(SIGINT, request_stop);                       // from here on there is something to finish
   std::signal(SIGTERM, request_stop);
-  Outputs outputs(options, scene, samples, options.precision);
+  Outputs outputs(options, scene, samples, machine);
   RunStatistics statistics;
-  RunSummary summary{scene, samples, *backend, simulator, statistics};
+  RunSummary summary{scene, samples, machine.backend(), simulator, statistics};
   {
     Progress progress(steps, static_cast<double>(steps) * scene.dt, options.quiet);
     try {

@@ -61,19 +61,17 @@ std::vector<std::string> overlay_text(const Scene& scene, const Samples& samples
 }  // namespace
 
 struct FrameOutput::Drawing {
-  gpu::Context context;
   gpu::Renderer renderer;
   PngWriter writer;
 
-  Drawing(const Scene& scene, std::optional<int> gl_device)
-      : context(gl_device),
-        renderer(context, scene.image_size, scene.domain_min, scene.domain_max, scene.spacing) {}
+  Drawing(const Scene& scene, const gpu::Context& context)
+      : renderer(context, scene.image_size, scene.domain_min, scene.domain_max, scene.spacing) {}
 };
 
 FrameOutput::FrameOutput(const Scene& scene, const Samples& samples, const std::filesystem::path& folder,
-                         OverlayChoice overlay, std::optional<int> gl_device)
+                         OverlayChoice overlay, const gpu::Context& context)
     : scene_(scene), samples_(samples), folder_(folder), overlay_(overlay) {
-  drawing_ = std::make_unique<Drawing>(scene, gl_device);
+  drawing_ = std::make_unique<Drawing>(scene, context);
   drawing_->renderer.set_boundary(samples.boundary);
   std::error_code error;
   std::filesystem::create_directories(folder, error);

@@ -4,19 +4,22 @@
 
 #include <filesystem>
 #include <memory>
-#include <optional>
 
 #include "apps/sluice/options.hpp"
 #include "core/sampling.hpp"
 #include "core/simulator.hpp"
 
+namespace sluice::gpu {
+class Context;
+}
+
 namespace sluice {
 
 class FrameOutput {
  public:
-  /// Creates the folder and the OpenGL context.
+  /// Creates the folder; draws in `context`, which outlives this.
   FrameOutput(const Scene& scene, const Samples& samples, const std::filesystem::path& folder,
-              OverlayChoice overlay, std::optional<int> gl_device);
+              OverlayChoice overlay, const gpu::Context& context);
   ~FrameOutput();
 
   /// Draws the frames that are due after this step; frame k is due once time >= k/fps. Step 0 is the start.

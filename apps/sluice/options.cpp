@@ -84,7 +84,7 @@ CLI::Option* add_number(CLI::App& app, const std::string& name, const std::strin
 
 void add_later_options(CLI::App& app) {
   for (const char* name :
-       {"--checkpoint", "--checkpoint-every", "--resume", "--record", "--video", "--vtk", "--shader-dir"}) {
+       {"--checkpoint", "--checkpoint-every", "--resume", "--record", "--video", "--vtk"}) {
     app.add_option_function<std::string>(
            name,
            [name](const std::string&) {
@@ -133,11 +133,6 @@ void add_picture_options(CLI::App& app, RunOptions& options) {
       {{"none", OverlayChoice::none}, {"facts", OverlayChoice::facts}, {"all", OverlayChoice::all}},
       "Text on the pictures: none, facts (default), all (with ms per step)")
       ->group("Pictures");
-  add_number<int>(
-      app, "--gl-device", "a number that `sluice info` lists", [](int device) { return device >= 0; },
-      [&](int device) { options.gl_device = device; }, "Draw on EGL device N; `sluice info` lists them")
-      ->type_name("N")
-      ->group("Pictures");
 }
 
 }  // namespace
@@ -150,17 +145,30 @@ void declare_overrides(CLI::App& app, std::vector<std::string>& overrides) {
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
+void declare_gl_options(CLI::App& app, MachineOptions& options) {
+  add_number<int>(
+      app, "--gl-device", "a number that `sluice info` lists", [](int device) { return device >= 0; },
+      [&](int device) { options.gl_device = device; },
+      "Compute and draw on EGL device N; `sluice info` lists them")
+      ->type_name("N")
+      ->group("OpenGL");
+  add_path(app, "--shader-dir", options.shader_dir,
+           "Take shaders from this folder, laid out as shaders/, where it has them")
+      ->type_name("DIR")
+      ->group("OpenGL");
+}
+
 void declare_run_options(CLI::App& app, RunOptions& options) {
-  options.threads = cpu::hardware_threads();
+  options.machine.threads = cpu::hardware_threads();
   app.add_option("SCENE", options.scene, "A scene file, or the name of a shipped scene (`sluice scenes`)")
       ->required();
   declare_overrides(app, options.overrides);
   add_choice<BackendChoice>(
-      app, "--backend", [&](BackendChoice backend) { options.backend = backend; },
+      app, "--backend", [&](BackendChoice backend) { options.machine.backend = backend; },
       {{"auto", BackendChoice::automatic}, {"cpu", BackendChoice::cpu}, {"gpu", BackendChoice::gpu}},
-      "auto (default), cpu or gpu");
+      "auto (default) takes a graphics card if there is one, else the CPU; cpu; gpu: OpenGL compute shaders");
   add_choice<Precision>(
-      app, "--precision", [&](Precision precision) { options.precision = precision; },
+      app, "--precision", [&](Precision precision) { options.machine.precision = precision; },
       {{"float", Precision::single_}, {"double", Precision::double_}},
       "float (default) or double; double runs on the CPU");
   auto* steps = add_number<uint64_t>(
@@ -174,9 +182,10 @@ void declare_run_options(CLI::App& app, RunOptions& options) {
       ->excludes(steps);
   add_number<int>(
       app, "--threads", "1 to 1024", [](int threads) { return threads >= 1 && threads <= 1024; },
-      [&](int threads) { options.threads = threads; },
+      [&](int threads) { options.machine.threads = threads; },
       "Threads of the CPU backend; results do not depend on it")
       ->type_name("N");
+  declare_gl_options(app, options.machine);
   add_output_options(app, options);
   add_picture_options(app, options);
   add_later_options(app);

@@ -18,22 +18,31 @@ namespace sluice {
 enum class BackendChoice { automatic, cpu, gpu };
 enum class OverlayChoice { none, facts, all };
 
+/// Where to compute and draw.
+struct MachineOptions {
+  BackendChoice backend = BackendChoice::automatic;
+  Precision precision = Precision::single_;
+  int threads = 1;
+  std::optional<int> gl_device;
+  std::optional<std::filesystem::path> shader_dir;
+};
+
 struct RunOptions {
   std::string scene;
   std::vector<std::string> overrides;  ///< KEY=VALUE, those of --fps, --size and --colour included
-  BackendChoice backend = BackendChoice::automatic;
-  Precision precision = Precision::single_;
+  MachineOptions machine;
   std::optional<uint64_t> steps;
   std::optional<double> time;
-  int threads = 1;
   std::optional<std::filesystem::path> state, series, frames, summary;
   OverlayChoice overlay = OverlayChoice::facts;
-  std::optional<int> gl_device;
   bool quiet = false;
 };
 
 /// Declares --set KEY=VALUE, repeatable.
 void declare_overrides(CLI::App& app, std::vector<std::string>& overrides);
+
+/// Declares --gl-device and --shader-dir.
+void declare_gl_options(CLI::App& app, MachineOptions& options);
 
 /// Declares the options of `sluice run` on `app`; `options` is filled when the command line is parsed.
 void declare_run_options(CLI::App& app, RunOptions& options);

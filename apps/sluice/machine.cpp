@@ -1,0 +1,56 @@
+// The choice of the backend.
+#include "apps/sluice/machine.hpp"
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "cpu/backend.hpp"
+
+namespace sluice {
+
+Machine::Machine(const MachineOptions& options, uint64_t particles)
+    : options_(options), shaders_(options.shader_dir) {
+  choose(particles);
+}
+
+void Machine::choose(uint64_t particles) {
+  const bool in_double = options_.precision == Precision::double_;
+  if (options_.backend == BackendChoice::gpu && in_double) {
+    throw InputError(
+        "--precision double: found it with --backend gpu, expected --backend cpu; the GPU computes in float");
+  }
+  if (options_.backend == BackendChoice::cpu) return use_cpu("as asked for");
+  if (options_.backend == BackendChoice::gpu) {
+    gpu::suit_software_threads(particles);
+    context();
+    return use_gpu("as asked for");
+  }
+  if (in_double) return use_cpu("double runs there");
+  try {
+    context();
+  } catch (const EnvironmentError& error) {
+    const std::string what = error.what();
+    return use_cpu(what.substr(0, what.find('\n')));
+  }
+  if (context_->software()) return use_cpu("OpenGL is drawn by the processor: " + context_->renderer());
+  use_gpu("a graphics card");
+}
+
+const gpu::Context& Machine::context() {
+  if (!context_) context_ = std::make_unique<gpu::Context>(options_.gl_device, shaders_);
+  return *context_;
+}
+
+void Machine::use_cpu(const std::string& why) {
+  backend_ = cpu::make_backend(options_.precision, options_.threads);
+  choice_ = fmt::format("cpu, {} threads ({})", options_.threads, why);
+}
+
+void Machine::use_gpu(const std::string& why) {
+  auto made = gpu::make_backend(*context_);
+  gpu_backend_ = made.get();
+  backend_ = std::move(made);
+  choice_ = fmt::format("gpu, {} ({})", context_->renderer(), why);
+}
+
+}  // namespace sluice

@@ -1,0 +1,40 @@
+// Where a run computes and draws: the backend that was asked for, or that suits the machine, and the OpenGL
+// context, made only when something needs it.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "apps/sluice/options.hpp"
+#include "core/backend.hpp"
+#include "gpu/backend.hpp"
+#include "gpu/context.hpp"
+
+namespace sluice {
+
+class Machine {
+ public:
+  /// For a run of `particles` fluid particles. InputError for a choice that contradicts itself,
+  /// EnvironmentError when --backend gpu finds no OpenGL.
+  Machine(const MachineOptions& options, uint64_t particles);
+
+  Backend& backend() { return *backend_; }
+  const gpu::GpuBackend* gpu_backend() const { return gpu_backend_; }  ///< null on the CPU
+  const gpu::Context& context();
+  /// What was chosen and why, for people.
+  const std::string& choice() const { return choice_; }
+
+ private:
+  void choose(uint64_t particles);
+  void use_cpu(const std::string& why);
+  void use_gpu(const std::string& why);
+
+  MachineOptions options_;
+  gpu::ShaderLibrary shaders_;
+  std::unique_ptr<gpu::Context> context_;  // outlives the backend
+  std::unique_ptr<Backend> backend_;
+  const gpu::GpuBackend* gpu_backend_ = nullptr;
+  std::string choice_;
+};
+
+}  // namespace sluice
