@@ -10,6 +10,7 @@
 namespace sluice {
 
 int run_command(const RunOptions& options);
+int agree_command(const AgreeOptions& options);
 int scenes_command(bool keys);
 int info_command(const std::optional<std::string>& scene, const std::vector<std::string>& overrides);
 

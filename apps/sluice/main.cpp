@@ -42,6 +42,10 @@ int dispatch(int argc, char** argv) {
   auto* run = app.add_subcommand("run", "Simulate a scene");
   sluice::declare_run_options(*run, options);
 
+  sluice::AgreeOptions comparison;
+  auto* agree = app.add_subcommand("agree", "Compare the GPU with the CPU, stage by stage and over a run");
+  sluice::declare_agree_options(*agree, comparison);
+
   bool keys = false;
   auto* scenes = app.add_subcommand("scenes", "List the shipped scenes");
   scenes->add_flag("--keys", keys, "Print the reference of all keys of a scene file, as Markdown");
@@ -53,7 +57,7 @@ int dispatch(int argc, char** argv) {
   sluice::declare_overrides(*information, changes);
   information->get_option("--set")->needs(shown);
 
-  for (const char* name : {"agree", "play", "export", "study"}) {
+  for (const char* name : {"play", "export", "study"}) {
     auto* later = app.add_subcommand(name, "Not available yet")->group("Not available yet")->prefix_command();
     later->callback([name] { throw sluice::InputError(fmt::format("{}: not available yet", name)); });
   }
@@ -66,9 +70,11 @@ int dispatch(int argc, char** argv) {
                 fmt::format("{}\nsluice: run `sluice --help` or `sluice run --help`", error.what()));
   }
   if (app.get_subcommands().empty()) {
-    return fail(bad_input, "found no subcommand, expected run, scenes or info\nsluice: run `sluice --help`");
+    return fail(bad_input,
+                "found no subcommand, expected run, agree, scenes or info\nsluice: run `sluice --help`");
   }
   if (run->parsed()) return sluice::run_command(options);
+  if (agree->parsed()) return sluice::agree_command(comparison);
   if (scenes->parsed()) return sluice::scenes_command(keys);
   return sluice::info_command(scene, changes);
 }

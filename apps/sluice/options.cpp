@@ -135,6 +135,21 @@ void add_picture_options(CLI::App& app, RunOptions& options) {
       ->group("Pictures");
 }
 
+void declare_scene(CLI::App& app, std::string& scene, std::vector<std::string>& overrides) {
+  app.add_option("SCENE", scene, "A scene file, or the name of a shipped scene (`sluice scenes`)")
+      ->required();
+  declare_overrides(app, overrides);
+}
+
+void declare_threads(CLI::App& app, MachineOptions& options) {
+  options.threads = cpu::hardware_threads();
+  add_number<int>(
+      app, "--threads", "1 to 1024", [](int threads) { return threads >= 1 && threads <= 1024; },
+      [&](int threads) { options.threads = threads; },
+      "Threads of the CPU backend; results do not depend on it")
+      ->type_name("N");
+}
+
 }  // namespace
 
 void declare_overrides(CLI::App& app, std::vector<std::string>& overrides) {
@@ -158,11 +173,23 @@ void declare_gl_options(CLI::App& app, MachineOptions& options) {
       ->group("OpenGL");
 }
 
+void declare_agree_options(CLI::App& app, AgreeOptions& options) {
+  declare_scene(app, options.scene, options.overrides);
+  declare_threads(app, options.machine);
+  declare_gl_options(app, options.machine);
+  add_number<uint64_t>(
+      app, "--steps", "a whole number from 1 on", [](uint64_t steps) { return steps > 0; },
+      [&](uint64_t count) { options.steps = count; }, "Steps to run on both; 200 if not given")
+      ->type_name("N");
+  app.add_option(
+         "--split", options.split,
+         "Run each step on the CPU up to this stage and on the GPU after it, instead of all on the GPU")
+      ->type_name("STAGE");
+  add_path(app, "--summary", options.summary, "Write the table as JSON")->type_name("FILE.json");
+}
+
 void declare_run_options(CLI::App& app, RunOptions& options) {
-  options.machine.threads = cpu::hardware_threads();
-  app.add_option("SCENE", options.scene, "A scene file, or the name of a shipped scene (`sluice scenes`)")
-      ->required();
-  declare_overrides(app, options.overrides);
+  declare_scene(app, options.scene, options.overrides);
   add_choice<BackendChoice>(
       app, "--backend", [&](BackendChoice backend) { options.machine.backend = backend; },
       {{"auto", BackendChoice::automatic}, {"cpu", BackendChoice::cpu}, {"gpu", BackendChoice::gpu}},
@@ -180,11 +207,7 @@ void declare_run_options(CLI::App& app, RunOptions& options) {
       [&](double time) { options.time = time; }, "Time to simulate in place of time.duration")
       ->type_name("T")
       ->excludes(steps);
-  add_number<int>(
-      app, "--threads", "1 to 1024", [](int threads) { return threads >= 1 && threads <= 1024; },
-      [&](int threads) { options.machine.threads = threads; },
-      "Threads of the CPU backend; results do not depend on it")
-      ->type_name("N");
+  declare_threads(app, options.machine);
   declare_gl_options(app, options.machine);
   add_output_options(app, options);
   add_picture_options(app, options);

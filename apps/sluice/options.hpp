@@ -38,6 +38,15 @@ struct RunOptions {
   bool quiet = false;
 };
 
+struct AgreeOptions {
+  std::string scene;
+  std::vector<std::string> overrides;
+  MachineOptions machine;  ///< backend and precision are given: gpu in float
+  uint64_t steps = 200;
+  std::optional<std::string> split;
+  std::optional<std::filesystem::path> summary;
+};
+
 /// Declares --set KEY=VALUE, repeatable.
 void declare_overrides(CLI::App& app, std::vector<std::string>& overrides);
 
@@ -46,5 +55,6 @@ void declare_gl_options(CLI::App& app, MachineOptions& options);
 
 /// Declares the options of `sluice run` on `app`; `options` is filled when the command line is parsed.
 void declare_run_options(CLI::App& app, RunOptions& options);
+void declare_agree_options(CLI::App& app, AgreeOptions& options);
 
 }  // namespace sluice

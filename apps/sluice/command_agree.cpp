@@ -1,0 +1,135 @@
+// `sluice agree`: the GPU backend against the CPU backend in float.
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "apps/sluice/commands.hpp"
+#include "apps/sluice/machine.hpp"
+#include "core/agree.hpp"
+#include "core/error.hpp"
+#include "core/memory.hpp"
+#include "core/output_file.hpp"
+#include "core/scene_file.hpp"
+#include "cpu/backend.hpp"
+
+namespace sluice {
+namespace {
+
+/// Units in the last place of a field's largest value that a graphics card may be off by: its divisions and
+/// roots are not exactly rounded, and sums of a dozen such terms cancel in part.
+constexpr double hardware_tolerance = 32;
+
+Stage stage_named(const std::string& name, const Plan& plan) {
+  std::string known;
+  for (const Stage stage : plan.stages()) {
+    if (info(stage).name == name) return stage;
+    if (known.find(info(stage).name) == std::string::npos) known += fmt::format(" {}", info(stage).name);
+  }
+  throw InputError(
+      fmt::format("--split: found \"{}\", expected a stage of this scene's plan:{}", name, known));
+}
+
+std::string value_text(const Difference::Place& place, double value) {
+  const bool whole = info(place.field).type == Type::uint || info(place.field).type == Type::uvec2;
+  return whole ? fmt::format("{:.0f}", value) : fmt::format("{:.9g}", value);
+}
+
+std::string first_text(const Difference& difference) {
+  if (difference.all_zero) return "(all zero)";
+  if (!difference.first) return "";
+  const auto& place = *difference.first;
+  return fmt::format("{}[{}]: {} and {}", info(place.field).name, place.index,
+                     value_text(place, place.reference), value_text(place, place.other));
+}
+
+void print(const Agreement& agreement, const std::string& title, const std::string& reference,
+           const std::string& other) {
+  fmt::print("{}: {} and {}\n\n", title, reference, other);
+  fmt::print("{:<24}{:>12}{:>12}{:>10}  {:<5} {}\n", "stage, same input", "largest diff", "in ulp", "equal",
+             "", "first difference: CPU and GPU");
+  for (const StageAgreement& row : agreement.stages) {
+    fmt::print("{:<24}{:>12.3g}{:>12.3g}{:>9.4g}%  {:<5} {}\n", info(row.stage).name, row.difference.max_abs,
+               row.difference.max_ulp, 100 * row.difference.equal_share(), row.pass ? "ok" : "FAIL",
+               first_text(row.difference));
+  }
+  const RunAgreement& run = agreement.run;
+  fmt::print("\nrun of {} steps: ", run.steps);
+  if (run.equal) {
+    fmt::print("equal to the last bit");
+  } else {
+    fmt::print("first difference in step {}, then up to {:.3g} spacings apart", run.first_difference_step,
+               run.max_dx_over_h);
+  }
+  fmt::print("; iterations {}\n", run.iterations_equal ? "equal" : "differ");
+  fmt::print("tolerance: {}\n{}\n",
+             agreement.tolerance > 0
+                 ? fmt::format("{:g} ulp of a field's largest value per stage", agreement.tolerance)
+                 : "none, every bit counts",
+             agreement.pass ? "they agree" : "THEY DISAGREE");
+}
+
+nlohmann::ordered_json number(double value) {
+  return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
+}
+
+nlohmann::ordered_json to_json(const Agreement& agreement, const std::string& scene,
+                               const std::string& device) {
+  nlohmann::ordered_json json;
+  json["format"] = 1;
+  json["scene"] = scene;
+  json["device"] = device;
+  json["steps"] = agreement.run.steps;
+  json["stages"] = nlohmann::ordered_json::array();
+  for (const StageAgreement& row : agreement.stages) {
+    json["stages"].push_back({{"name", info(row.stage).name},
+                              {"max_abs", number(row.difference.max_abs)},
+                              {"max_ulp", number(row.difference.max_ulp)},
+                              {"equal_share", row.difference.equal_share()},
+                              {"tolerance", agreement.tolerance},
+                              {"pass", row.pass}});
+  }
+  const RunAgreement& run = agreement.run;
+  json["run"]["equal"] = run.equal;
+  json["run"]["first_difference_step"] =
+      run.equal ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(run.first_difference_step);
+  json["run"]["max_dx_over_h"] = number(run.max_dx_over_h);
+  json["run"]["iterations_equal"] = run.iterations_equal;
+  json["pass"] = agreement.pass;
+  return json;
+}
+
+}  // namespace
+
+int agree_command(const AgreeOptions& options) {
+  const Scene scene = load_scene(options.scene, options.overrides);
+  const Plan plan = make_plan(needs_of(scene));
+  const Stage split = options.split ? stage_named(*options.split, plan) : Stage::count;
+  require_memory(scene, Precision::double_, available_memory());  // two runs in float beside each other
+  const Samples samples = sample(scene);
+  MachineOptions gpu_machine = options.machine;
+  gpu_machine.backend = BackendChoice::gpu;
+  Machine machine(gpu_machine, samples.fluid.size());
+  std::optional<OutputFile> summary;
+  if (options.summary) summary.emplace(*options.summary);
+
+  const int threads = options.machine.threads;
+  const auto reference = cpu::make_backend(Precision::single_, threads);
+  const auto other = gpu::make_backend(machine.context());
+  const auto first_half = cpu::make_backend(Precision::single_, threads);
+  SplitBackend halves(*first_half, *other, split);
+  Backend& run_other = options.split ? static_cast<Backend&>(halves) : *other;
+  const double tolerance = machine.context().software() ? 0 : hardware_tolerance;
+  const Agreement agreement =
+      agree(scene, samples, {*reference, machine.backend(), run_other}, options.steps, tolerance);
+
+  const std::string device = machine.backend().device();
+  print(agreement, scene.title, fmt::format("cpu, {}", reference->device()),
+        options.split ? fmt::format("cpu up to {}, then gpu, {}", *options.split, device) : "gpu, " + device);
+  if (summary) {
+    summary->write(to_json(agreement, scene.name, device).dump(2) + '\n');
+    summary->commit();
+  }
+  return agreement.pass ? 0 : 1;
+}
+
+}  // namespace sluice
