@@ -1,5 +1,6 @@
 // SSPH: pressure from a state equation, p = max(k (rho/rho0 - 1), 0) [Hunkler 2022, eq. 5.5], and q =
 // p/rho^2.
+#include "core/larger.hpp"
 #include "cpu/stages.hpp"
 
 namespace sluice::cpu {
@@ -9,9 +10,7 @@ void state_equation(State<Real>& state) {
   const ParamsOf<Real>& params = state.params;
   for_each_index(params.n, state.threads, [&](uint32_t i) {
     const Real rho = state.rho[i];
-    const Real p = params.k * (rho / params.rho0 - Real(1));
-    // Written so that NaN stays NaN.
-    state.p[i] = p < Real(0) ? Real(0) : p;
+    state.p[i] = larger(Real(0), params.k * (rho / params.rho0 - Real(1)));
     state.q[i] = state.p[i] / (rho * rho);
   });
 }

@@ -20,6 +20,7 @@ namespace sluice::gpu {
 namespace {
 
 constexpr uint64_t smallest_buffer = 16;
+constexpr uint32_t guard_word = 0xffffffff;  // NaN as a float
 /// Shaders count the bytes of a buffer in 32 bits.
 constexpr uint64_t largest_buffer = 0xfffffff0;
 
@@ -41,6 +42,7 @@ class Implementation final : public GpuBackend {
         group_size_(options.group_size > 0 ? options.group_size
                     : context.software()   ? 64
                                            : 128),
+        guard_(options.guard),
         timer_(context),
         params_(context),
         scratch_(context),
@@ -145,6 +147,14 @@ class Implementation final : public GpuBackend {
   std::string device() const override { return context_.renderer(); }
   Precision precision() const override { return Precision::single_; }
   int threads() const override { return 1; }
+  bool guard_is_intact(Field field) const override {
+    std::vector<uint32_t> words(guard_);
+    context_.make_current();
+    glBindBuffer(GL_COPY_READ_BUFFER, buffer(field).name());
+    glGetBufferSubData(GL_COPY_READ_BUFFER, static_cast<GLintptr>(bytes_of(field)),
+                       static_cast<GLsizeiptr>(words.size() * sizeof(guard_word)), words.data());
+    return std::ranges::all_of(words, [](uint32_t word) { return word == guard_word; });
+  }
   const Buffer& buffer(Field field) const override { return memory_of(field).value().buffer; }
 
  private:
@@ -178,10 +188,18 @@ class Implementation final : public GpuBackend {
 
   void make_field(Field field) {
     Memory& memory = memory_of(field).emplace(context_);
-    make_room(memory.buffer, bytes_of(field), info(field).name);
+    make_room(memory.buffer, bytes_of(field) + guard_ * sizeof(guard_word), info(field).name);
+    write_guard(field);
     if (loads_ == Loads::blocks) return;
     glBindTexture(GL_TEXTURE_BUFFER, memory.texels.name());
     glTexBuffer(GL_TEXTURE_BUFFER, texel_format(field), memory.buffer.name());
+  }
+
+  void write_guard(Field field) {
+    if (guard_ == 0) return;
+    glBufferSubData(GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(bytes_of(field)),
+                    static_cast<GLsizeiptr>(guard_ * sizeof(guard_word)),
+                    std::vector<uint32_t>(guard_, guard_word).data());
   }
 
   void plan_passes() {
@@ -241,6 +259,7 @@ class Implementation final : public GpuBackend {
       ComputeProgram& compute = stage_program.program();
       bind(stage_program);
       compute.set("count", static_cast<uint32_t>(pass.count));
+      compute.set("list_size", static_cast<uint32_t>(sizes_.list));
       compute.set("fold_length", pass.fold_length);
       compute.set("fold_from", pass.fold_from);
       compute.set("fold_to", pass.fold_to);
@@ -277,7 +296,7 @@ class Implementation final : public GpuBackend {
   }
 
   const Context& context_;
-  uint32_t group_size_, most_groups_ = 0;
+  uint32_t group_size_, most_groups_ = 0, guard_;
   Sizes sizes_;
   Needs needs_;
   mutable StageTimer timer_;

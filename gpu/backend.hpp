@@ -15,11 +15,14 @@ class GpuBackend : public Backend {
  public:
   /// The buffer that holds `field`, which is allocated.
   virtual const Buffer& buffer(Field field) const = 0;
+  /// Whether nothing was written behind the last element of `field`; see BackendOptions::guard.
+  virtual bool guard_is_intact(Field field) const = 0;
 };
 
 struct BackendOptions {
   uint32_t group_size = 0;   ///< invocations per group, a multiple of 64; 0 for what suits the device
   uint32_t most_groups = 0;  ///< per dimension; 0 for the driver's limit
+  uint32_t guard = 0;        ///< words of NaN behind each field, to catch writes out of bounds
 };
 
 /// The context must outlive the backend.

@@ -16,7 +16,7 @@ void run(uint chunk) {
     vec2 x_i = load(x_in, i), v_i = load(v_in, i);
     float rho_i = load(rho, i);
     precise float above = rho_i / params.rho0 - 1.0;
-    above = above < 0.0 ? 0.0 : above;  // not max(), which may hide NaN
+    above = larger(0.0, above);
     float square = dot_of(v_i, v_i);
     density += rho_i;
     compression += above;

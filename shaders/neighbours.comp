@@ -10,6 +10,8 @@
 const uint most_candidates = 65000u;
 const uint crowded = 0xffffffffu;
 
+uniform uint list_size;  // entries that the list has room for
+
 #if PASS == 0
 
 void run(uint i) {
@@ -49,7 +51,7 @@ void run(uint slice) {
 
 void run(uint i) {
   bool beyond_bounds = scratch[0] != 0u;
-  if (beyond_bounds || list_needed[0] > uint(index.length())) {
+  if (beyond_bounds || list_needed[0] > list_size) {
     list[i].y = 0u;
     if (i == 0u && beyond_bounds) list_needed[0] = list_beyond_bounds;
     return;

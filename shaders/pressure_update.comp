@@ -3,6 +3,8 @@
 // many these are [Hunkler 2022, algorithm 6]. A particle with A_ii = 0 keeps its pressure and is not counted. In two
 // passes, particles and chunks.
 
+#include "lib/vectors.glsl"
+
 const float not_counted = -1.0;
 
 void run(uint i) {
@@ -12,7 +14,7 @@ void run(uint i) {
   precise float pressure = old + params.omega * difference / A;
   precise float error = abs(difference) / params.rho0;
   bool below = pressure < 0.0;
-  pressure = A == 0.0 ? old : below ? 0.0 : pressure;  // not max(), which may hide NaN
+  pressure = A == 0.0 ? old : larger(0.0, pressure);
   precise float quotient = pressure / (rho_i * rho_i);
   p[i] = pressure;
   q[i] = quotient;

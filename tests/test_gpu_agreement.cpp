@@ -1,0 +1,218 @@
+// Every stage of every scene, on the GPU against the CPU in float, from identical input: at the start, on the
+// way and after some time. On llvmpipe to the last bit. And that each of these comparisons can fail.
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "core/agree.hpp"
+#include "gpu/backend.hpp"
+#include "gpu/context.hpp"
+#include "tests/support/simulation.hpp"
+
+namespace sluice::test {
+namespace {
+
+/// On hardware, in units in the last place of a field's largest value.
+double tolerance(const gpu::Context& context) { return context.software() ? 0 : 32; }
+
+/// Looks behind the end of every field after each stage.
+class Guarded final : public ForwardingBackend {
+ public:
+  explicit Guarded(gpu::GpuBackend& gpu) : ForwardingBackend(gpu), gpu_(gpu) {}
+
+  void allocate(FieldSet fields, const Sizes& sizes) override {
+    fields_ = fields;
+    ForwardingBackend::allocate(fields, sizes);
+  }
+
+  void run(Stage stage) override {
+    ForwardingBackend::run(stage);
+    for (uint32_t i = 0; i < field_count; ++i) {
+      const Field field = static_cast<Field>(i);
+      if (fields_.has(field)) {
+        EXPECT_TRUE(gpu_.guard_is_intact(field)) << info(stage).name << " writes behind " << info(field).name;
+        ++looks;
+      }
+    }
+  }
+
+  uint64_t looks = 0;
+
+ private:
+  gpu::GpuBackend& gpu_;
+  FieldSet fields_;
+};
+
+/// Changes every constant by a part in a thousand.
+class Perturbed final : public ForwardingBackend {
+ public:
+  explicit Perturbed(Backend& backend) : ForwardingBackend(backend) {}
+
+  void configure(const Params& params, const Needs& needs) override {
+    Params changed = params;
+#define CHANGE(name, meaning) changed.name *= 1.001;
+#define KEEP(name, meaning)
+    SLUICE_PARAMS(CHANGE, CHANGE, KEEP)
+#undef CHANGE
+#undef KEEP
+    ForwardingBackend::configure(changed, needs);
+  }
+};
+
+/// The same scene with h larger by a part in a thousand in all that follows from it.
+class LargerSpacing final : public ForwardingBackend {
+ public:
+  LargerSpacing(Backend& backend, Scene scene) : ForwardingBackend(backend), scene_(std::move(scene)) {
+    scene_.spacing *= 1.001;
+  }
+
+  void configure(const Params& params, const Needs& needs) override {
+    Params changed = make_params(scene_, params.n);
+    changed.columns = params.columns;
+    changed.rows = params.rows;
+    ForwardingBackend::configure(changed, needs);
+  }
+
+ private:
+  Scene scene_;
+};
+
+struct Bench {
+  Scene scene;
+  Samples samples = sample(scene);
+  gpu::Context context{};
+  std::unique_ptr<Backend> cpu = cpu::make_backend(Precision::single_, 2);
+  std::unique_ptr<gpu::GpuBackend> stages = gpu::make_backend(context, {.guard = 64});
+  std::unique_ptr<gpu::GpuBackend> run = gpu::make_backend(context);
+};
+
+struct Case {
+  std::string scene, method;
+};
+
+std::vector<Case> cases() {
+  std::vector<Case> all;
+  for (const std::string& name : all_scenes()) {
+    for (const char* method : {"iisph", "ssph"}) {
+      if (std::string(method) == "iisph" || shipped(name).ssph) all.push_back({name, method});
+    }
+  }
+  return all;
+}
+
+class StageAgreementOf : public testing::TestWithParam<Case> {};
+
+TEST_P(StageAgreementOf, EveryStageFromIdenticalInput) {
+  // A jittered start, so that no comparison rests on the symmetry of a lattice.
+  Bench bench{shipped(GetParam().scene, {"pressure.method=" + GetParam().method, "fluid.jitter=0.05"})};
+  Guarded guarded(*bench.stages);
+  const Agreement found =
+      agree(bench.scene, bench.samples, {*bench.cpu, guarded, *bench.run}, 40, tolerance(bench.context));
+  std::set<Stage> compared;
+  for (const StageAgreement& row : found.stages) {
+    compared.insert(row.stage);
+    const Difference& difference = row.difference;
+    EXPECT_TRUE(difference.agrees(found.tolerance))
+        << info(row.stage).name << ": largest difference " << difference.max_abs << ", " << difference.max_ulp
+        << " ulp, " << difference.equal << " of " << difference.values << " equal, first in "
+        << (difference.first ? info(difference.first->field).name : "nothing") << ", all zero "
+        << difference.all_zero;
+  }
+  const std::vector<Stage> planned = make_plan(needs_of(bench.scene)).stages();
+  EXPECT_EQ(compared, std::set<Stage>(planned.begin(), planned.end()))
+      << "not every planned stage was compared";
+  EXPECT_GT(guarded.looks, 100u);
+  EXPECT_EQ(found.run.steps, 40u);
+  EXPECT_TRUE(found.pass);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, StageAgreementOf, testing::ValuesIn(cases()),
+                         [](const auto& row) { return row.param.scene + "_" + row.param.method; });
+
+TEST(StageAgreement, OfARelaxation) {
+  Bench bench{shipped("breaking_dam", {"fluid.jitter=0.2", "fluid.relax=3"})};
+  ComparingBackend comparing(*bench.cpu, *bench.stages);
+  comparing.compare_from_now_on(true);
+  const Simulator simulator(bench.scene, bench.samples, comparing);
+  EXPECT_TRUE(comparing.difference(Stage::relax).agrees(tolerance(bench.context)));
+  EXPECT_TRUE(comparing.difference(Stage::pressure_update).agrees(tolerance(bench.context)));
+}
+
+/// Stages that agree although every constant is changed: they only move values.
+const std::set<Stage> without_constants = {Stage::grid_scan, Stage::grid_scatter, Stage::grid_order,
+                                           Stage::reorder, Stage::totals};
+
+TEST(StageAgreement, IsRefusedToEveryStageWhoseConstantsAreChanged) {
+  for (const char* method : {"iisph", "ssph"}) {
+    Bench bench{shipped("breaking_dam", {std::string("pressure.method=") + method, "fluid.jitter=0.05"})};
+    Perturbed perturbed(*bench.stages);
+    const Agreement found = agree(bench.scene, bench.samples, {*bench.cpu, perturbed, *bench.run}, 40, 32);
+    for (const StageAgreement& row : found.stages) {
+      // Another tolerance ends another solve now and then, or none.
+      if (row.stage == Stage::residual) continue;
+      EXPECT_EQ(row.pass, without_constants.contains(row.stage)) << method << ", " << info(row.stage).name;
+    }
+    EXPECT_FALSE(found.pass);
+  }
+}
+
+TEST(RunAgreement, IsRefusedToASpacingThatIsOffByAThousandth) {
+  Bench bench{shipped("breaking_dam")};
+  LargerSpacing larger(*bench.run, bench.scene), stages(*bench.stages, bench.scene);
+  const Agreement found = agree(bench.scene, bench.samples, {*bench.cpu, stages, larger}, 10, 0);
+  EXPECT_FALSE(found.pass);
+  EXPECT_FALSE(found.run.equal);
+  EXPECT_EQ(found.run.first_difference_step, 1u);
+  EXPECT_GT(found.run.max_dx_over_h, 0);
+  std::set<Stage> failed;
+  for (const StageAgreement& row : found.stages) {
+    if (row.difference.max_ulp > 32) failed.insert(row.stage);
+  }
+  for (const Stage stage : {Stage::neighbours, Stage::boundary, Stage::density, Stage::viscosity}) {
+    EXPECT_TRUE(failed.contains(stage)) << info(stage).name;
+  }
+}
+
+// One particle of all is one unit in the last place off, in one step of forty.
+class OneBitOff final : public ForwardingBackend {
+ public:
+  OneBitOff(Backend& backend, uint32_t n) : ForwardingBackend(backend), n_(n) {}
+
+  void run(Stage stage) override {
+    ForwardingBackend::run(stage);
+    if (stage != Stage::integrate || ++steps_ != 20) return;
+    std::vector<double> x(2 * n_);
+    download(Field::x_in, x);
+    x[n_] = double(std::nextafter(float(x[n_]), 0.0f));
+    upload(Field::x_in, x);
+  }
+
+ private:
+  uint32_t n_;
+  int steps_ = 0;
+};
+
+TEST(RunAgreement, SeesOneBitOfOneParticle) {
+  Bench bench{shipped("breaking_dam")};
+  OneBitOff off(*bench.run, static_cast<uint32_t>(bench.samples.fluid.size()));
+  const Agreement found = agree(bench.scene, bench.samples, {*bench.cpu, *bench.stages, off}, 40, 0);
+  EXPECT_FALSE(found.pass);
+  EXPECT_EQ(found.run.first_difference_step, 20u);
+}
+
+TEST(RunAgreement, OfAStepThatIsSplitBetweenTheBackends) {
+  for (const Stage split : {Stage::grid_count, Stage::neighbours, Stage::density, Stage::source,
+                            Stage::pressure_operator, Stage::totals}) {
+    Bench bench{shipped("breaking_dam")};
+    if (!bench.context.software()) GTEST_SKIP() << "runs are equal on llvmpipe only";
+    const auto first_half = cpu::make_backend(Precision::single_, 1);
+    SplitBackend halves(*first_half, *bench.run, split);
+    const Agreement found = agree(bench.scene, bench.samples, {*bench.cpu, *bench.stages, halves}, 30, 0);
+    EXPECT_TRUE(found.pass) << info(split).name;
+    EXPECT_GT(bench.run->seconds(Stage::integrate) + (split == Stage::totals ? 1 : 0), 0)
+        << "the second backend did nothing";
+  }
+}
+
+}  // namespace
+}  // namespace sluice::test
