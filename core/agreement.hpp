@@ -34,6 +34,7 @@ class ForwardingBackend : public Backend {
   void resize_list(uint64_t entries) override { active_->resize_list(entries); }
   void configure(const Params& params, const Needs& needs) override { active_->configure(params, needs); }
   void run(Stage stage) override { active_->run(stage); }
+  // Sweeps are run stage by stage, so that those who look at stages see all of them.
   void swap(Field a, Field b) override { active_->swap(a, b); }
   void upload(Field field, std::span<const double> values) override { active_->upload(field, values); }
   void upload(Field field, std::span<const uint32_t> values) override { active_->upload(field, values); }
