@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -168,6 +169,31 @@ TEST_F(GpuFrames, OfTheProgramAreThoseOfTheCpuBackend) {
     for (size_t k = 0; k < found.size(); ++k)
       EXPECT_LE(largest_difference(found[k], expected[k]), context.software() ? 0 : 1) << "picture " << k;
   }
+}
+
+// With a shader of the user's that moves all particles out of sight, the program has none to draw.
+TEST_F(GpuFrames, OfTheProgramComeFromTheBuffers) {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "draw_order.comp") << R"(#version 430 core
+layout(local_size_x = 64) in;
+layout(std430) buffer position_block { vec2 position[]; };
+uniform uint count;
+void main() {
+  if (gl_GlobalInvocationID.x < count) position[gl_GlobalInvocationID.x] = vec2(-1e6);
+}
+)";
+  const Words still{"--steps", "0", "--overlay", "none"};
+  Words emptied = still;
+  emptied.insert(emptied.end(), {"--shader-dir", folder.path});
+  const auto has_blue = [](const Image& image) {  // particles at rest
+    for (size_t k = 0; k < image.rgb.size(); k += 3) {
+      if (image.rgb[k] == 0 && image.rgb[k + 2] == 255) return true;
+    }
+    return false;
+  };
+  EXPECT_TRUE(has_blue(pictures("gpu", still).at(0)));
+  EXPECT_FALSE(has_blue(pictures("gpu", emptied).at(0)));
+  EXPECT_TRUE(has_blue(pictures("cpu", emptied).at(0)));
 }
 
 // The first step leads to infinite velocities, so there is nothing later to show than the start.
