@@ -263,7 +263,7 @@ class Implementation final : public GpuBackend {
       compute.set("fold_length", pass.fold_length);
       compute.set("fold_from", pass.fold_from);
       compute.set("fold_to", pass.fold_to);
-      compute.set("fold_first", pass.fold_first ? 1 : 0);
+      compute.set("fold_first", pass.fold_first ? 1u : 0u);
       if (unless_solved)
         compute.dispatch_indirect(sweep_groups_);
       else

@@ -91,6 +91,22 @@ void ComputeProgram::set(const std::string& uniform, uint32_t value) {
   if (known != uniforms_.end()) glProgramUniform1ui(program_.name(), known->second, value);
 }
 
+void ComputeProgram::set(const std::string& uniform, double value) {
+  const auto known = uniforms_.find(uniform);
+  if (known != uniforms_.end()) glProgramUniform1d(program_.name(), known->second, value);
+}
+
+void ComputeProgram::set(const std::string& uniform, glm::dvec2 value) {
+  const auto known = uniforms_.find(uniform);
+  if (known != uniforms_.end()) glProgramUniform2d(program_.name(), known->second, value.x, value.y);
+}
+
+void ComputeProgram::bind(std::string_view block, const Buffer& buffer) const {
+  for (GLuint binding = 0; binding < storage_.size(); ++binding) {
+    if (storage_[binding].name == block) glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, buffer.name());
+  }
+}
+
 void ComputeProgram::dispatch(Groups groups) const {
   glUseProgram(program_.name());
   glDispatchCompute(groups.x, groups.y, 1);

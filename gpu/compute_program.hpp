@@ -43,6 +43,11 @@ class ComputeProgram {
 
   /// Sets a uniform; does nothing when the shader does not use it.
   void set(const std::string& uniform, uint32_t value);
+  void set(const std::string& uniform, double value);
+  void set(const std::string& uniform, glm::dvec2 value);
+
+  /// Binds a buffer to the storage block of this name; does nothing when the shader does not use it.
+  void bind(std::string_view block, const Buffer& buffer) const;
 
   /// Runs with what is bound, and makes what was written visible to all that follows.
   void dispatch(Groups groups) const;

@@ -141,7 +141,7 @@ void ParticlePass::draw_boundary() {
   draw(boundary_);
 }
 
-void ParticlePass::draw_fluid(const Frame& frame) {
+void ParticlePass::upload_fluid(const Frame& frame) {
   if (frame.value.size() != frame.fluid.size()) {
     throw Error(
         fmt::format("a frame has {} particles but {} values", frame.fluid.size(), frame.value.size()));
@@ -151,8 +151,15 @@ void ParticlePass::draw_fluid(const Frame& frame) {
   std::ranges::transform(frame.value, values_.begin(),
                          [](double value) { return static_cast<float>(value); });
   upload(fluid_);
+}
+
+void ParticlePass::draw_fluid(const Frame& frame, const Cloud* on_device) {
+  if (on_device != nullptr)
+    describe(*on_device, quads_, true);
+  else
+    upload_fluid(frame);
   set_colouring(frame);
-  draw(fluid_);
+  draw(on_device != nullptr ? *on_device : fluid_);
 }
 
 void ParticlePass::draw_colour_bar(const Box& box, const Frame& frame) {

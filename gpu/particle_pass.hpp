@@ -31,30 +31,32 @@ struct View {
 /// `automatic` takes point sprites, which are cheaper, while the driver's are large enough.
 enum class ParticleShape { automatic, quads };
 
+/// Particles on the graphics card, in the order they are drawn.
+struct Cloud {
+  explicit Cloud(const Context& context) : vertices(context), positions(context), values(context) {}
+  VertexArray vertices;
+  Buffer positions;  ///< relative to the view's corner, two floats each
+  Buffer values;     ///< as those of Frame, a float each
+  size_t count = 0;
+};
+
 class ParticlePass {
  public:
   ParticlePass(const Context& context, const View& view, double diameter, ParticleShape shape);
 
   void set_boundary(std::span<const Vec2> positions);
   void draw_boundary();
-  void draw_fluid(const Frame& frame);
+  /// With `on_device`, the particles are those there instead of the frame's own.
+  void draw_fluid(const Frame& frame, const Cloud* on_device = nullptr);
 
   /// Fills the box with the frame's colours, from its lowest value at the left to its highest at the right.
   void draw_colour_bar(const Box& box, const Frame& frame);
 
  private:
-  // Positions and values of a set of particles on the graphics card.
-  struct Cloud {
-    explicit Cloud(const Context& context) : vertices(context), positions(context), values(context) {}
-    VertexArray vertices;
-    Buffer positions;
-    Buffer values;
-    size_t count = 0;
-  };
-
   void describe(const Cloud& cloud, bool quads, bool with_values) const;
   void convert(std::span<const Vec2> positions);
   void upload(Cloud& cloud);
+  void upload_fluid(const Frame& frame);
   void draw(const Cloud& cloud);
   void set_colouring(const Frame& frame);
 

@@ -98,7 +98,7 @@ void Renderer::set_boundary(std::span<const Vec2> positions) { state_->particles
 
 const Panels& Renderer::panels() const { return state_->panels; }
 
-Image Renderer::draw(const Frame& frame) {
+Image Renderer::draw(const Frame& frame, const Cloud* on_device) {
   State& state = *state_;
   state.context.make_current();
   glBindFramebuffer(GL_FRAMEBUFFER, state.framebuffer.name());
@@ -106,7 +106,7 @@ Image Renderer::draw(const Frame& frame) {
   glEnable(GL_BLEND);
   glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
   state.particles.draw_boundary();
-  state.particles.draw_fluid(frame);
+  state.particles.draw_fluid(frame, on_device);
   state.panels = add_panels(state.overlay, state.size, frame);
   state.overlay.draw();
   if (state.panels.gradient) state.particles.draw_colour_bar(*state.panels.gradient, frame);

@@ -31,7 +31,8 @@ class Renderer {
   /// The boundary's positions for all frames to come, drawn in grey below the fluid.
   void set_boundary(std::span<const Vec2> positions);
 
-  Image draw(const Frame& frame);
+  /// With `on_device`, in the same context, the fluid is what is there; the frame's own is not read.
+  Image draw(const Frame& frame, const Cloud* on_device = nullptr);
 
   /// The panels of the last frame.
   const Panels& panels() const;

@@ -79,7 +79,7 @@ class Outputs {
     if (options.state) state_.emplace(*options.state);
     if (options.summary) summary_.emplace(*options.summary);
     if (options.series) series_.emplace(*options.series, precision_);
-    if (options.frames) frames_.emplace(scene, samples, *options.frames, options.overlay, machine.context());
+    if (options.frames) frames_.emplace(scene, samples, *options.frames, options.overlay, machine);
   }
 
   void add(const Simulator& simulator, const StepReport& report, double seconds_per_step) {

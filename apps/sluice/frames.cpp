@@ -1,15 +1,16 @@
-// Snapshot -> frame -> PNG.
+// Snapshot, or the GPU backend's buffers -> frame -> PNG.
 #include "apps/sluice/frames.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
+#include "apps/sluice/machine.hpp"
 #include "core/error.hpp"
 #include "core/frame.hpp"
 #include "core/image.hpp"
 #include "core/text.hpp"
-#include "gpu/context.hpp"
+#include "gpu/device_fluid.hpp"
 #include "gpu/renderer.hpp"
 
 namespace sluice {
@@ -18,13 +19,10 @@ namespace {
 /// Values at the ends of the colour bar, the same for all frames of a run so that pictures compare: density
 /// within 5 % of rest; pressure up to that under the fluid's height at the start, or, without gravity, the
 /// largest of the frame.
-std::pair<double, double> colour_range(const Scene& scene, const Samples& samples, const Snapshot& snapshot) {
+std::pair<double, double> colour_range(const Scene& scene, const Samples& samples, double largest) {
   if (scene.colour == Colour::density) return {0.95, 1.05};
   const double g = glm::length(scene.gravity);
-  if (g == 0) {
-    const double largest = *std::max_element(snapshot.pressure.begin(), snapshot.pressure.end());
-    return {0, largest > 0 ? largest : 1};
-  }
+  if (g == 0) return {0, largest > 0 ? largest : 1};
   const auto height = [&](Vec2 x) { return -glm::dot(x, scene.gravity) / g; };
   const auto [low, high] = std::minmax_element(samples.fluid.begin(), samples.fluid.end(),
                                                [&](Vec2 a, Vec2 b) { return height(a) < height(b); });
@@ -33,13 +31,23 @@ std::pair<double, double> colour_range(const Scene& scene, const Samples& sample
 
 std::string frame_name(uint64_t k) { return fmt::format("frame_{:06}.png", k); }
 
-std::vector<double> colour_values(const Scene& scene, const Snapshot& snapshot, double dt) {
+/// What speed, density or pressure is multiplied by to be the value that a colour stands for.
+double colour_unit(const Scene& scene, double dt) {
+  switch (scene.colour) {
+    case Colour::speed: return dt / scene.spacing;
+    case Colour::density: return 1 / scene.rest_density;
+    case Colour::pressure: return 1;
+  }
+  return 0;
+}
+
+std::vector<double> colour_values(Colour colour, const Snapshot& snapshot, double unit) {
   std::vector<double> values(snapshot.x.size());
   for (size_t i = 0; i < values.size(); ++i) {
-    switch (scene.colour) {
-      case Colour::speed: values[i] = glm::length(snapshot.v[i]) * dt / scene.spacing; break;
-      case Colour::density: values[i] = snapshot.density[i] / scene.rest_density; break;
-      case Colour::pressure: values[i] = snapshot.pressure[i]; break;
+    switch (colour) {
+      case Colour::speed: values[i] = unit * glm::length(snapshot.v[i]); break;
+      case Colour::density: values[i] = unit * snapshot.density[i]; break;
+      case Colour::pressure: values[i] = unit * snapshot.pressure[i]; break;
     }
   }
   return values;
@@ -61,18 +69,42 @@ std::vector<std::string> overlay_text(const Scene& scene, const Samples& samples
 }  // namespace
 
 struct FrameOutput::Drawing {
+  const Scene& scene;
+  const Samples& samples;
   gpu::Renderer renderer;
   PngWriter writer;
+  const gpu::GpuBackend* backend;
+  std::optional<gpu::DeviceFluid> on_device;  // with the GPU backend
 
-  Drawing(const Scene& scene, const gpu::Context& context)
-      : renderer(context, scene.image_size, scene.domain_min, scene.domain_max, scene.spacing) {}
+  Drawing(const Scene& run_scene, const Samples& run_samples, Machine& machine)
+      : scene(run_scene),
+        samples(run_samples),
+        renderer(machine.context(), scene.image_size, scene.domain_min, scene.domain_max, scene.spacing),
+        backend(machine.gpu_backend()) {
+    renderer.set_boundary(samples.boundary);
+    if (backend != nullptr) on_device.emplace(machine.context(), scene.domain_min);
+  }
+
+  Image draw(Frame frame, double unit, const Snapshot& snapshot) {
+    const std::vector<double> values = colour_values(scene.colour, snapshot, unit);
+    frame.fluid = snapshot.x;
+    frame.value = values;
+    const auto largest = std::max_element(values.begin(), values.end());
+    std::tie(frame.low, frame.high) = colour_range(scene, samples, largest == values.end() ? 0 : *largest);
+    return renderer.draw(frame);
+  }
+
+  Image draw_on_device(Frame frame, double unit) {
+    on_device->collect(*backend, samples.fluid.size(), scene.colour, unit);
+    std::tie(frame.low, frame.high) = colour_range(scene, samples, on_device->largest());
+    return renderer.draw(frame, &on_device->cloud());
+  }
 };
 
 FrameOutput::FrameOutput(const Scene& scene, const Samples& samples, const std::filesystem::path& folder,
-                         OverlayChoice overlay, const gpu::Context& context)
+                         OverlayChoice overlay, Machine& machine)
     : scene_(scene), samples_(samples), folder_(folder), overlay_(overlay) {
-  drawing_ = std::make_unique<Drawing>(scene, context);
-  drawing_->renderer.set_boundary(samples.boundary);
+  drawing_ = std::make_unique<Drawing>(scene, samples, machine);
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) {
@@ -92,16 +124,15 @@ uint64_t FrameOutput::older_pictures() const {
 void FrameOutput::show(const Simulator& simulator, const StepReport& report, double seconds_per_step) {
   const auto due = [&] { return report.time >= static_cast<double>(count_) / scene_.fps - 1e-9; };
   if (!due()) return;
-  const Snapshot snapshot = simulator.snapshot();
-  const std::vector<double> values = colour_values(scene_, snapshot, report.dt);
   Frame frame;
-  frame.fluid = snapshot.x;
-  frame.value = values;
   frame.colour = scene_.colour;
-  std::tie(frame.low, frame.high) = colour_range(scene_, samples_, snapshot);
   frame.text = overlay_text(scene_, samples_, report, overlay_, seconds_per_step);
   frame.colour_bar = scene_.colour != Colour::speed && overlay_ != OverlayChoice::none;
-  const Image image = drawing_->renderer.draw(frame);
+  const double unit = colour_unit(scene_, report.dt);
+  // The buffers hold what a failed step led to, which may not be finite; the snapshot is fit to be shown.
+  const bool on_device = drawing_->on_device && !simulator.failure();
+  const Image image =
+      on_device ? drawing_->draw_on_device(frame, unit) : drawing_->draw(frame, unit, simulator.snapshot());
   for (; due(); ++count_) drawing_->writer.write(folder_ / frame_name(count_), image);
 }
 

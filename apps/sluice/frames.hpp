@@ -9,17 +9,15 @@
 #include "core/sampling.hpp"
 #include "core/simulator.hpp"
 
-namespace sluice::gpu {
-class Context;
-}
-
 namespace sluice {
+
+class Machine;
 
 class FrameOutput {
  public:
-  /// Creates the folder; draws in `context`, which outlives this.
+  /// Creates the folder; draws in the context of `machine`, which outlives this and runs the simulation.
   FrameOutput(const Scene& scene, const Samples& samples, const std::filesystem::path& folder,
-              OverlayChoice overlay, const gpu::Context& context);
+              OverlayChoice overlay, Machine& machine);
   ~FrameOutput();
 
   /// Draws the frames that are due after this step; frame k is due once time >= k/fps. Step 0 is the start.
