@@ -10,18 +10,13 @@
 #include <optional>
 #include <stdexcept>
 
-#include "core/error.hpp"
-#include "core/text.hpp"
 #include "gpu/context.hpp"
 #include "gpu/stage_program.hpp"
+#include "gpu/storage.hpp"
 #include "gpu/timer.hpp"
 
 namespace sluice::gpu {
 namespace {
-
-constexpr uint64_t smallest_buffer = 16;
-/// Shaders count the bytes of a buffer in 32 bits.
-constexpr uint64_t largest_buffer = 0xfffffff0;
 
 bool is_uint(Field field) { return info(field).type == Type::uint || info(field).type == Type::uvec2; }
 
@@ -50,27 +45,31 @@ class Implementation final : public GpuBackend {
     most_groups_ =
         std::min(limit(GL_MAX_COMPUTE_WORK_GROUP_COUNT, 0), limit(GL_MAX_COMPUTE_WORK_GROUP_COUNT, 1));
     if (options.most_groups > 0) most_groups_ = std::min(most_groups_, options.most_groups);
-    make_room(sweep_groups_, 3 * sizeof(uint32_t), "sweep groups");
-    make_room(unused_, smallest_buffer, "nothing");
+    GLint most_texels = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most_texels);
+    most_texels_ = options.most_texels > 0 ? options.most_texels : static_cast<uint32_t>(most_texels);
+    make_room(context_, sweep_groups_, 3 * sizeof(uint32_t), "sweep groups");
+    make_room(context_, unused_, 0, "nothing");
   }
 
   void allocate(FieldSet fields, const Sizes& sizes) override {
     context_.make_current();
+    fields_ = fields;
     sizes_ = sizes;
     for (auto& memory : memory_) memory.reset();
-    loads_ = context_.software() && fits_into_texels(fields, sizes) ? Loads::texels : Loads::blocks;
-    programs_.clear();
+    use(context_.software() && fits_into_texels() ? Loads::texels : Loads::blocks);
     for (uint32_t i = 0; i < field_count; ++i) {
       const Field field = static_cast<Field>(i);
       if (fields.has(field)) make_field(field);
     }
-    make_room(scratch_, scratch_size(sizes, group_size_) * sizeof(uint32_t), "scratch");
+    make_room(context_, scratch_, scratch_size(sizes, group_size_) * sizeof(uint32_t), "scratch");
     plan_passes();
   }
 
   void resize_list(uint64_t entries) override {
     context_.make_current();
     sizes_.list = entries;
+    if (!fits_into_texels()) use(Loads::blocks);
     for (const Field field : {Field::index, Field::gradient}) {
       memory_of(field).reset();  // before the larger one is made
       make_field(field);
@@ -158,27 +157,26 @@ class Implementation final : public GpuBackend {
   std::optional<Memory>& memory_of(Field field) { return memory_[static_cast<uint32_t>(field)]; }
   const std::optional<Memory>& memory_of(Field field) const { return memory_[static_cast<uint32_t>(field)]; }
 
-  /// Gives `buffer` room for `bytes` zeros.
-  void make_room(const Buffer& buffer, uint64_t bytes, std::string_view what) const {
-    if (bytes > largest_buffer) {
-      throw EnvironmentError(
-          fmt::format("{} needs {} in one buffer, more than shaders can address; use fewer "
-                      "particles, or --backend cpu",
-                      what, bytes_text(static_cast<double>(bytes))));
-    }
-    glBindBuffer(GL_COPY_WRITE_BUFFER, buffer.name());
-    glBufferData(GL_COPY_WRITE_BUFFER, static_cast<GLsizeiptr>(std::max(bytes, smallest_buffer)), nullptr,
-                 GL_DYNAMIC_COPY);
-    context_.check(fmt::format("making room for {}", what));
-    glClearBufferData(GL_COPY_WRITE_BUFFER, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
-  }
-
   uint64_t element_count(Field field) const { return sizes_.of(info(field).length); }
   uint64_t bytes_of(Field field) const { return element_count(field) * element_bytes(info(field).type, 4); }
 
+  bool fits_into_texels() const {
+    for (uint32_t i = 0; i < field_count; ++i) {
+      const Field field = static_cast<Field>(i);
+      if (fields_.has(field) && bytes_of(field) / 4 > most_texels_) return false;
+    }
+    return true;
+  }
+
+  /// How shaders read from now on; what was compiled for the other way is dropped.
+  void use(Loads loads) {
+    if (loads != loads_) programs_.clear();
+    loads_ = loads;
+  }
+
   void make_field(Field field) {
     Memory& memory = memory_of(field).emplace(context_);
-    make_room(memory.buffer, bytes_of(field), info(field).name);
+    make_room(context_, memory.buffer, bytes_of(field), info(field).name);
     if (loads_ == Loads::blocks) return;
     glBindTexture(GL_TEXTURE_BUFFER, memory.texels.name());
     glTexBuffer(GL_TEXTURE_BUFFER, texel_format(field), memory.buffer.name());
@@ -195,7 +193,8 @@ class Implementation final : public GpuBackend {
     const auto key = std::tuple(stage, pass.number, facts);
     const auto known = programs_.find(key);
     if (known != programs_.end()) return known->second;
-    StageProgram made(context_, stage, needs_, pass.number, pass.entry, group_size_, loads_);
+    StageProgram made(context_, stage,
+                      stage_source(context_.shaders(), stage, needs_, pass, group_size_, loads_));
     return programs_.emplace(key, std::move(made)).first->second;
   }
 
@@ -212,16 +211,6 @@ class Implementation final : public GpuBackend {
                          texel_format(images[unit]));
     }
     glBindBufferBase(GL_UNIFORM_BUFFER, 0, params_.name());
-  }
-
-  static bool fits_into_texels(FieldSet fields, const Sizes& sizes) {
-    GLint most = 0;
-    glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
-    for (uint32_t i = 0; i < field_count; ++i) {
-      const uint64_t texels = sizes.of(field_table[i].length) * element_bytes(field_table[i].type, 4) / 4;
-      if (fields.has(static_cast<Field>(i)) && texels > static_cast<uint64_t>(most)) return false;
-    }
-    return true;
   }
 
   const Buffer& buffer_for(const BoundBlock& block) const {
@@ -277,7 +266,8 @@ class Implementation final : public GpuBackend {
   }
 
   const Context& context_;
-  uint32_t group_size_, most_groups_ = 0;
+  uint32_t group_size_, most_groups_ = 0, most_texels_ = 0;
+  FieldSet fields_;
   Sizes sizes_;
   Needs needs_;
   mutable StageTimer timer_;
