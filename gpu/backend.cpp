@@ -179,7 +179,9 @@ class Implementation final : public GpuBackend {
     make_room(context_, memory.buffer, bytes_of(field), info(field).name);
     if (loads_ == Loads::blocks) return;
     glBindTexture(GL_TEXTURE_BUFFER, memory.texels.name());
-    glTexBuffer(GL_TEXTURE_BUFFER, texel_format(field), memory.buffer.name());
+    const uint64_t bytes = std::min(std::max<uint64_t>(bytes_of(field), 4), 4 * uint64_t{most_texels_});
+    glTexBufferRange(GL_TEXTURE_BUFFER, texel_format(field), memory.buffer.name(), 0,
+                     static_cast<GLsizeiptr>(bytes));
   }
 
   void plan_passes() {

@@ -7,6 +7,7 @@
 #include <functional>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/larger.hpp"
@@ -15,6 +16,7 @@
 #include "core/simulator.hpp"
 #include "cpu/fold.hpp"
 #include "gpu/compute_program.hpp"
+#include "gpu/stage_program.hpp"
 #include "tests/support/gpu.hpp"
 #include "tests/support/simulation.hpp"
 
@@ -134,6 +136,37 @@ void expect_same(double found, float expected, uint64_t chunks, uint32_t which) 
   const auto wanted = static_cast<double>(expected);
   EXPECT_TRUE(found == wanted || (std::isnan(found) && std::isnan(wanted)))
       << found << " for " << wanted << ", number " << which << " of " << chunks << " chunks";
+}
+
+// Invocations run in any order, so no level may write where it reads.
+TEST(GpuFold, EveryLevelWritesElsewhereThanItReadsAndWithinItsMemory) {
+  for (const uint64_t chunks : chunk_counts) {
+    const Sizes sizes{.fluid = chunks * chunk_width};
+    const uint64_t scratch = gpu::scratch_size(sizes, 64);
+    for (const auto& [stage, arrays] :
+         {std::pair(Stage::residual, 2u), std::pair(Stage::totals, total_count)}) {
+      uint64_t length = chunks, written = 0;
+      for (const gpu::Pass& pass : gpu::passes_of(stage, sizes, 64)) {
+        EXPECT_EQ(pass.fold_length, length);
+        EXPECT_EQ(pass.fold_first, length == chunks);
+        if (!pass.fold_first) {
+          EXPECT_EQ(pass.fold_from, written);
+        }
+        if (pass.number != 0) break;
+        const uint64_t groups = (length + chunk_width - 1) / chunk_width;
+        EXPECT_EQ(pass.count, arrays * groups);
+        EXPECT_LE(pass.fold_to + arrays * groups, scratch);
+        if (!pass.fold_first) {
+          EXPECT_TRUE(pass.fold_to + arrays * groups <= pass.fold_from ||
+                      pass.fold_from + arrays * length <= pass.fold_to)
+              << chunks;
+        }
+        written = pass.fold_to;
+        length = groups;
+      }
+      EXPECT_LE(length, chunk_width);
+    }
+  }
 }
 
 TEST(GpuFold, TotalsAreThoseOfTheTreeOfSixtyFours) {

@@ -9,7 +9,7 @@ namespace {
 
 constexpr FieldSet grid_fields{Field::id_in, Field::x_in, Field::v_in, Field::cell, Field::C,
                                Field::L,     Field::id,   Field::x,    Field::v};
-constexpr FieldSet list_fields{Field::list, Field::index, Field::gradient, Field::list_needed};
+constexpr FieldSet list_fields{Field::list, Field::index, Field::gradient, Field::list_needed, Field::rho};
 
 size_t numbers_in(Field field, const Sizes& sizes) {
   return sizes.of(info(field).length) * element_bytes(info(field).type, 4) / 4;
