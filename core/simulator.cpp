@@ -171,7 +171,7 @@ bool Simulator::list_was_too_short() {
   if (needed <= sizes_.list) return false;
   if (needed == list_beyond_bounds) {
     throw EnvironmentError(fmt::format(
-        "step {}: the neighbour list would need more than 2^32 entries, or more than 65535 particles crowd "
+        "step {}: the neighbour list would need more than 2^32 entries, or more than 65000 particles crowd "
         "around one; use a smaller time step or fewer particles",
         steps_));
   }

@@ -10,19 +10,18 @@
 #include <optional>
 #include <stdexcept>
 
-#include "core/error.hpp"
-#include "core/text.hpp"
 #include "gpu/context.hpp"
 #include "gpu/stage_program.hpp"
+#include "gpu/storage.hpp"
 #include "gpu/timer.hpp"
 
 namespace sluice::gpu {
 namespace {
 
-constexpr uint64_t smallest_buffer = 16;
 constexpr uint32_t guard_word = 0xffffffff;  // NaN as a float
-/// Shaders count the bytes of a buffer in 32 bits.
-constexpr uint64_t largest_buffer = 0xfffffff0;
+
+/// Where in the buffer of sweep groups those of passes over chunks stand; those over particles come first.
+constexpr uint32_t groups_of_chunks = 3 * sizeof(uint32_t);
 
 bool is_uint(Field field) { return info(field).type == Type::uint || info(field).type == Type::uvec2; }
 
@@ -52,27 +51,31 @@ class Implementation final : public GpuBackend {
     most_groups_ =
         std::min(limit(GL_MAX_COMPUTE_WORK_GROUP_COUNT, 0), limit(GL_MAX_COMPUTE_WORK_GROUP_COUNT, 1));
     if (options.most_groups > 0) most_groups_ = std::min(most_groups_, options.most_groups);
-    make_room(sweep_groups_, 3 * sizeof(uint32_t), "sweep groups");
-    make_room(unused_, smallest_buffer, "nothing");
+    GLint most_texels = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most_texels);
+    most_texels_ = options.most_texels > 0 ? options.most_texels : static_cast<uint32_t>(most_texels);
+    make_room(context_, sweep_groups_, 6 * sizeof(uint32_t), "sweep groups");
+    make_room(context_, unused_, 0, "nothing");
   }
 
   void allocate(FieldSet fields, const Sizes& sizes) override {
     context_.make_current();
+    fields_ = fields;
     sizes_ = sizes;
     for (auto& memory : memory_) memory.reset();
-    loads_ = context_.software() && fits_into_texels(fields, sizes) ? Loads::texels : Loads::blocks;
-    programs_.clear();
+    use(context_.software() && fits_into_texels() ? Loads::texels : Loads::blocks);
     for (uint32_t i = 0; i < field_count; ++i) {
       const Field field = static_cast<Field>(i);
       if (fields.has(field)) make_field(field);
     }
-    make_room(scratch_, scratch_size(sizes, group_size_) * sizeof(uint32_t), "scratch");
+    make_room(context_, scratch_, scratch_size(sizes, group_size_) * sizeof(uint32_t), "scratch");
     plan_passes();
   }
 
   void resize_list(uint64_t entries) override {
     context_.make_current();
     sizes_.list = entries;
+    if (!fits_into_texels()) use(Loads::blocks);
     for (const Field field : {Field::index, Field::gradient}) {
       memory_of(field).reset();  // before the larger one is made
       make_field(field);
@@ -96,8 +99,9 @@ class Implementation final : public GpuBackend {
   /// run.
   void sweep(const std::vector<Stage>& stages, uint32_t times) override {
     context_.make_current();
-    const Groups all = spread((sizes_.fluid + group_size_ - 1) / group_size_, most_groups_);
-    const std::array<uint32_t, 3> groups{all.x, all.y, 1};
+    const Groups particles = groups_for(sizes_.fluid, group_size_),
+                 chunks = groups_for(sizes_.chunks(), group_size_);
+    const std::array<uint32_t, 6> groups{particles.x, particles.y, 1, chunks.x, chunks.y, 1};
     glBindBuffer(GL_COPY_WRITE_BUFFER, sweep_groups_.name());
     glBufferSubData(GL_COPY_WRITE_BUFFER, 0, sizeof(groups), groups.data());
     for (uint32_t k = 0; k < times; ++k) {
@@ -168,31 +172,32 @@ class Implementation final : public GpuBackend {
   std::optional<Memory>& memory_of(Field field) { return memory_[static_cast<uint32_t>(field)]; }
   const std::optional<Memory>& memory_of(Field field) const { return memory_[static_cast<uint32_t>(field)]; }
 
-  /// Gives `buffer` room for `bytes` zeros.
-  void make_room(const Buffer& buffer, uint64_t bytes, std::string_view what) const {
-    if (bytes > largest_buffer) {
-      throw EnvironmentError(
-          fmt::format("{} needs {} in one buffer, more than shaders can address; use fewer "
-                      "particles, or --backend cpu",
-                      what, bytes_text(static_cast<double>(bytes))));
-    }
-    glBindBuffer(GL_COPY_WRITE_BUFFER, buffer.name());
-    glBufferData(GL_COPY_WRITE_BUFFER, static_cast<GLsizeiptr>(std::max(bytes, smallest_buffer)), nullptr,
-                 GL_DYNAMIC_COPY);
-    context_.check(fmt::format("making room for {}", what));
-    glClearBufferData(GL_COPY_WRITE_BUFFER, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
-  }
-
   uint64_t element_count(Field field) const { return sizes_.of(info(field).length); }
   uint64_t bytes_of(Field field) const { return element_count(field) * element_bytes(info(field).type, 4); }
 
+  bool fits_into_texels() const {
+    for (uint32_t i = 0; i < field_count; ++i) {
+      const Field field = static_cast<Field>(i);
+      if (fields_.has(field) && bytes_of(field) / 4 > most_texels_) return false;
+    }
+    return true;
+  }
+
+  /// How shaders read from now on; what was compiled for the other way is dropped.
+  void use(Loads loads) {
+    if (loads != loads_) programs_.clear();
+    loads_ = loads;
+  }
+
   void make_field(Field field) {
     Memory& memory = memory_of(field).emplace(context_);
-    make_room(memory.buffer, bytes_of(field) + guard_ * sizeof(guard_word), info(field).name);
+    make_room(context_, memory.buffer, bytes_of(field) + guard_ * sizeof(guard_word), info(field).name);
     write_guard(field);
     if (loads_ == Loads::blocks) return;
     glBindTexture(GL_TEXTURE_BUFFER, memory.texels.name());
-    glTexBuffer(GL_TEXTURE_BUFFER, texel_format(field), memory.buffer.name());
+    const uint64_t bytes = std::min(std::max<uint64_t>(bytes_of(field), 4), 4 * uint64_t{most_texels_});
+    glTexBufferRange(GL_TEXTURE_BUFFER, texel_format(field), memory.buffer.name(), 0,
+                     static_cast<GLsizeiptr>(bytes));
   }
 
   void write_guard(Field field) {
@@ -200,6 +205,10 @@ class Implementation final : public GpuBackend {
     glBufferSubData(GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(bytes_of(field)),
                     static_cast<GLsizeiptr>(guard_ * sizeof(guard_word)),
                     std::vector<uint32_t>(guard_, guard_word).data());
+  }
+
+  Groups groups_for(uint64_t count, uint64_t per_group) const {
+    return spread((count + per_group - 1) / per_group, most_groups_);
   }
 
   void plan_passes() {
@@ -213,7 +222,8 @@ class Implementation final : public GpuBackend {
     const auto key = std::tuple(stage, pass.number, facts);
     const auto known = programs_.find(key);
     if (known != programs_.end()) return known->second;
-    StageProgram made(context_, stage, needs_, pass.number, pass.entry, group_size_, loads_);
+    StageProgram made(context_, stage,
+                      stage_source(context_.shaders(), stage, needs_, pass, group_size_, loads_));
     return programs_.emplace(key, std::move(made)).first->second;
   }
 
@@ -230,16 +240,6 @@ class Implementation final : public GpuBackend {
                          texel_format(images[unit]));
     }
     glBindBufferBase(GL_UNIFORM_BUFFER, 0, params_.name());
-  }
-
-  static bool fits_into_texels(FieldSet fields, const Sizes& sizes) {
-    GLint most = 0;
-    glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
-    for (uint32_t i = 0; i < field_count; ++i) {
-      const uint64_t texels = sizes.of(field_table[i].length) * element_bytes(field_table[i].type, 4) / 4;
-      if (fields.has(static_cast<Field>(i)) && texels > static_cast<uint64_t>(most)) return false;
-    }
-    return true;
   }
 
   const Buffer& buffer_for(const BoundBlock& block) const {
@@ -265,9 +265,9 @@ class Implementation final : public GpuBackend {
       compute.set("fold_to", pass.fold_to);
       compute.set("fold_first", pass.fold_first ? 1u : 0u);
       if (unless_solved)
-        compute.dispatch_indirect(sweep_groups_);
+        compute.dispatch_indirect(sweep_groups_, pass.count == sizes_.fluid ? 0 : groups_of_chunks);
       else
-        compute.dispatch(spread((pass.count + pass.per_group - 1) / pass.per_group, most_groups_));
+        compute.dispatch(groups_for(pass.count, pass.per_group));
     }
     timer_.end(stage);
   }
@@ -296,7 +296,8 @@ class Implementation final : public GpuBackend {
   }
 
   const Context& context_;
-  uint32_t group_size_, most_groups_ = 0, guard_;
+  uint32_t group_size_, most_groups_ = 0, most_texels_ = 0, guard_;
+  FieldSet fields_;
   Sizes sizes_;
   Needs needs_;
   mutable StageTimer timer_;

@@ -23,6 +23,7 @@ struct BackendOptions {
   uint32_t group_size = 0;   ///< invocations per group, a multiple of 64; 0 for what suits the device
   uint32_t most_groups = 0;  ///< per dimension; 0 for the driver's limit
   uint32_t guard = 0;        ///< words of NaN behind each field, to catch writes out of bounds
+  uint32_t most_texels = 0;  ///< of a buffer read as an image; 0 for the driver's limit
 };
 
 /// The context must outlive the backend.

@@ -60,13 +60,16 @@ ComputeProgram::ComputeProgram(const Context& context, const ShaderSource& sourc
 void ComputeProgram::read_interface() {
   const GLuint program = program_.name();
   for (GLuint block = 0; block < resource_count(program, GL_SHADER_STORAGE_BLOCK); ++block) {
-    storage_.push_back({resource_name(program, GL_SHADER_STORAGE_BLOCK, block), 0});
+    storage_.push_back({resource_name(program, GL_SHADER_STORAGE_BLOCK, block)});
     glShaderStorageBlockBinding(program, block, block);
   }
   for (GLuint k = 0; k < resource_count(program, GL_BUFFER_VARIABLE); ++k) {
-    const auto [block, stride] =
-        properties<2>(program, GL_BUFFER_VARIABLE, k, {GL_BLOCK_INDEX, GL_ARRAY_STRIDE});
-    if (block >= 0) storage_.at(static_cast<size_t>(block)).stride = static_cast<uint32_t>(stride);
+    const auto [index, type, stride] =
+        properties<3>(program, GL_BUFFER_VARIABLE, k, {GL_BLOCK_INDEX, GL_TYPE, GL_ARRAY_STRIDE});
+    StorageBlock& block = storage_.at(static_cast<size_t>(index));
+    ++block.members;
+    block.type = static_cast<uint32_t>(type);
+    block.stride = static_cast<uint32_t>(stride);
   }
   for (GLuint k = 0; k < resource_count(program, GL_UNIFORM); ++k) {
     const auto [block, type, offset, location] =
@@ -77,9 +80,9 @@ void ComputeProgram::read_interface() {
       images_.push_back(name);
     } else if (block < 0) {
       uniforms_[name] = location;
-    } else if (name.starts_with(params_prefix)) {
-      params_.push_back(
-          {name.substr(params_prefix.size()), static_cast<uint32_t>(type), static_cast<uint32_t>(offset)});
+    } else {
+      params_.push_back({name.starts_with(params_prefix) ? name.substr(params_prefix.size()) : name,
+                         static_cast<uint32_t>(type), static_cast<uint32_t>(offset)});
     }
   }
   const GLuint params = glGetUniformBlockIndex(program, "params_block");
@@ -113,10 +116,10 @@ void ComputeProgram::dispatch(Groups groups) const {
   make_visible();
 }
 
-void ComputeProgram::dispatch_indirect(const Buffer& groups) const {
+void ComputeProgram::dispatch_indirect(const Buffer& groups, uint32_t offset) const {
   glUseProgram(program_.name());
   glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, groups.name());
-  glDispatchComputeIndirect(0);
+  glDispatchComputeIndirect(static_cast<GLintptr>(offset));
   make_visible();
 }
 

@@ -23,10 +23,12 @@ class ComputeProgram {
   /// A storage block that the shader uses, bound by its place among them.
   struct StorageBlock {
     std::string name;
-    uint32_t stride;  ///< bytes from one element of its array to the next
+    uint32_t members = 0;  ///< an array is one
+    uint32_t type = 0;     ///< of the last member: OpenGL's, as GL_FLOAT_VEC2
+    uint32_t stride = 0;   ///< of the last member: bytes from one element of its array to the next
   };
   struct UniformMember {
-    std::string name;  ///< without the block's
+    std::string name;  ///< without "params_block."
     uint32_t type;     ///< OpenGL's, as GL_FLOAT_VEC2
     uint32_t offset;
   };
@@ -38,7 +40,7 @@ class ComputeProgram {
   const std::vector<StorageBlock>& storage() const { return storage_; }
   /// Images that the shader reads, bound by their place among them.
   const std::vector<std::string>& images() const { return images_; }
-  /// Members of the uniform block of parameters; empty when the shader uses none.
+  /// Members of uniform blocks: all read the buffer of parameters.
   const std::vector<UniformMember>& params() const { return params_; }
 
   /// Sets a uniform; does nothing when the shader does not use it.
@@ -51,8 +53,8 @@ class ComputeProgram {
 
   /// Runs with what is bound, and makes what was written visible to all that follows.
   void dispatch(Groups groups) const;
-  /// The same, with the number of groups read from `groups` (three uints).
-  void dispatch_indirect(const Buffer& groups) const;
+  /// The same, with the number of groups read from the three uints from byte `offset` of `groups` on.
+  void dispatch_indirect(const Buffer& groups, uint32_t offset) const;
 
  private:
   void read_interface();

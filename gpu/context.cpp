@@ -159,7 +159,7 @@ Context::Context(std::optional<int> device, ShaderLibrary shaders) {
     }
     tried += fmt::format("\n  {}: {}", candidate.label, problem);
   }
-  throw EnvironmentError(fmt::format("no OpenGL 4.3 was found; tried{}\n{}", tried, install_hint));
+  throw EnvironmentError(fmt::format("no OpenGL 4.3 was found; {}\ntried{}", install_hint, tried));
 }
 
 Context::~Context() = default;

@@ -53,17 +53,13 @@ std::string with_file_name(std::string_view line, const std::vector<std::string>
   const bool bracket = rest[0] == '(';
   rest.remove_prefix(1);
   const auto number = take_number(rest);
-  if (!number || *number / lines_per_file >= files.size()) return std::string(line);
+  if (!number || *number % lines_per_file == 0 || *number / lines_per_file >= files.size())
+    return std::string(line);  // line 0 is what drivers say when they know no place
   if (bracket && rest.starts_with(')')) rest.remove_prefix(1);
   if (rest.starts_with('(')) rest.remove_prefix(std::min(rest.find(')') + 1, rest.size()));
   rest.remove_prefix(std::min(rest.find_first_not_of(' '), rest.size()));
   return fmt::format("{}:{}{}{}", files[*number / lines_per_file], *number % lines_per_file,
                      rest.starts_with(':') ? "" : ": ", rest);
-}
-
-[[noreturn]] void refuse(bool overridden, const std::string& message) {
-  if (overridden) throw InputError("--shader-dir: " + message);
-  throw Error(message);
 }
 
 template <class GetLength, class GetLog>
@@ -77,6 +73,11 @@ std::string log_of(GLuint object, GetLength get_length, GetLog get_log) {
 }
 
 }  // namespace
+
+void refuse_shader(bool overridden, const std::string& message) {
+  if (overridden) throw InputError("--shader-dir: " + message);
+  throw Error(message);
+}
 
 ShaderLibrary::ShaderLibrary(std::optional<std::filesystem::path> folder) : folder_(std::move(folder)) {
   if (!folder_) return;
@@ -102,7 +103,7 @@ ShaderLibrary::File ShaderLibrary::read(std::string_view name) const {
     std::ifstream stream(path);
     std::ostringstream text;
     text << stream.rdbuf();
-    if (!stream) throw InputError(fmt::format("--shader-dir: {} cannot be read", path.string()));
+    if (text.str().empty()) refuse_shader(true, path.string() + " is empty or cannot be read");
     return {path.string(), text.str(), true};
   }
   return {std::string(name), std::string(embedded_file(name)), false};
@@ -126,8 +127,8 @@ void ShaderLibrary::append(ShaderSource& source, const File& file, std::vector<s
       included.push_back(*name);
       const File inner = read(*name);
       if (inner.text.empty()) {
-        refuse(file.overridden,
-               fmt::format("{}:{}: no file \"{}\" to include", file.name, line_number, *name));
+        refuse_shader(file.overridden,
+                      fmt::format("{}:{}: no file \"{}\" to include", file.name, line_number, *name));
       }
       append(source, inner, included);
     }
@@ -145,7 +146,11 @@ ShaderSource ShaderLibrary::load(std::string_view name, std::string_view prelude
   source.text = prelude;
   std::vector<std::string> included;
   append(source, file, included);
-  source.text += epilogue;
+  if (!epilogue.empty()) {
+    source.text += line_directive(source.files.size(), 1);
+    source.text += epilogue;
+    source.files.emplace_back("(epilogue)");
+  }
   return source;
 }
 
@@ -169,8 +174,8 @@ Shader::Shader(uint32_t kind, const ShaderSource& source) : name_(glCreateShader
   if (done == GL_TRUE) return;
   const std::string log = log_of(name_, glGetShaderiv, glGetShaderInfoLog);
   glDeleteShader(name_);
-  refuse(source.overridden,
-         fmt::format("{} does not compile:\n{}", source.name, with_file_names(log, source.files)));
+  refuse_shader(source.overridden,
+                fmt::format("{} does not compile:\n{}", source.name, with_file_names(log, source.files)));
 }
 
 Shader::~Shader() { glDeleteShader(name_); }
@@ -187,7 +192,8 @@ void link_program(uint32_t program, const std::vector<const ShaderSource*>& sour
     overridden = overridden || source->overridden;
   }
   const std::string log = log_of(program, glGetProgramiv, glGetProgramInfoLog);
-  refuse(overridden, fmt::format("{} {} not link:\n{}", names, sources.size() > 1 ? "do" : "does", log));
+  refuse_shader(overridden,
+                fmt::format("{} {} not link:\n{}", names, sources.size() > 1 ? "do" : "does", log));
 }
 
 }  // namespace sluice::gpu

@@ -41,6 +41,9 @@ class ShaderLibrary {
   std::optional<std::filesystem::path> folder_;
 };
 
+/// Throws `message`: InputError naming --shader-dir when the shader is the user's, else Error.
+[[noreturn]] void refuse_shader(bool overridden, const std::string& message);
+
 /// A driver's message with "FILE:LINE" in place of the numbers that it knows.
 std::string with_file_names(std::string_view log, const std::vector<std::string>& files);
 

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 
-#include "core/error.hpp"
 #include "gpu/context.hpp"
 
 namespace sluice::gpu {
@@ -101,45 +100,51 @@ uint64_t scratch_size(const Sizes& sizes, uint32_t group_size) {
   return std::max({sizes.fluid, scan, folds, uint64_t{1}});
 }
 
-StageProgram::StageProgram(const Context& context, Stage stage, const Needs& needs, uint32_t pass,
-                           Entry entry, uint32_t group_size, Loads loads)
-    : program_(context,
-               context.shaders().load(std::string(info(stage).name) + ".comp",
-                                      prelude(stage, needs, pass, group_size, loads), epilogue(entry))) {
+ShaderSource stage_source(const ShaderLibrary& shaders, Stage stage, const Needs& needs, const Pass& pass,
+                          uint32_t group_size, Loads loads) {
+  return shaders.load(std::string(info(stage).name) + ".comp",
+                      prelude(stage, needs, pass.number, group_size, loads), epilogue(pass.entry));
+}
+
+StageProgram::StageProgram(const Context& context, Stage stage, const ShaderSource& source)
+    : program_(context, source), overridden_(source.overridden) {
   check_storage(stage);
   check_images(stage);
   check_params();
 }
 
+void StageProgram::refuse(const std::string& what) const {
+  refuse_shader(overridden_, program_.title() + ": " + what);
+}
+
 void StageProgram::check_storage(Stage stage) {
   for (const ComputeProgram::StorageBlock& block : program_.storage()) {
-    if (block.name == scratch_block || block.name == sweep_groups_block) {
-      blocks_.push_back(
-          {block.name == scratch_block ? BoundBlock::What::scratch : BoundBlock::What::sweep_groups,
-           Field::count});
-      continue;
-    }
     const Field field = field_named(block.name, block_name);
-    if (field == Field::count || !(info(stage).reads | info(stage).writes).has(field)) {
-      throw Error(fmt::format("{}: has the storage block {}, which the stage's row in the table does not",
-                              program_.title(), block.name));
+    BoundBlock bound{BoundBlock::What::field, field};
+    if (block.name == scratch_block) bound.what = BoundBlock::What::scratch;
+    if (block.name == sweep_groups_block) bound.what = BoundBlock::What::sweep_groups;
+    const bool is_field = bound.what == BoundBlock::What::field;
+    if (is_field && (field == Field::count || !(info(stage).reads | info(stage).writes).has(field)))
+      refuse(
+          fmt::format("has the storage block {}, which the stage's row in the table does not", block.name));
+    const Type type = is_field ? info(field).type : Type::uint;
+    if (block.members != 1 || block.type != gl_type(type)) {
+      refuse(fmt::format("the storage block {} is not one array of the type that the table gives it",
+                         block.name));
     }
-    const uint32_t expected = element_bytes(info(field).type, 4);
-    if (block.stride != expected) {
-      throw Error(fmt::format("{}: an element of {} has {} bytes, expected {}", program_.title(),
-                              info(field).name, block.stride, expected));
+    if (block.stride != element_bytes(type, 4)) {
+      refuse(fmt::format("an element of {} has {} bytes, expected {}", block.name, block.stride,
+                         element_bytes(type, 4)));
     }
-    blocks_.push_back({BoundBlock::What::field, field});
+    blocks_.push_back(bound);
   }
 }
 
 void StageProgram::check_images(Stage stage) {
   for (const std::string& image : program_.images()) {
     const Field field = field_named(image, texels_name);
-    if (field == Field::count || !info(stage).reads.has(field) || info(stage).writes.has(field)) {
-      throw Error(fmt::format("{}: reads the image {}, which the stage's row in the table does not give it",
-                              program_.title(), image));
-    }
+    if (field == Field::count || !info(stage).reads.has(field) || info(stage).writes.has(field))
+      refuse(fmt::format("reads the image {}, which the stage's row in the table does not give it", image));
     images_.push_back(field);
   }
 }
@@ -151,8 +156,8 @@ void StageProgram::check_params() const {
                                     [&](const ParamsMember& row) { return row.name == member.name; });
     if (known != layout.end() && known->offset == member.offset && gl_type(known->type) == member.type)
       continue;
-    throw Error(fmt::format("{}: the parameter {} does not have the type and place that the table gives it",
-                            program_.title(), member.name));
+    refuse(fmt::format("the parameter {} does not have the type and place that the table gives it",
+                       member.name));
   }
 }
 

@@ -33,11 +33,15 @@ struct BoundBlock {
   Field field = Field::count;
 };
 
+/// The whole text of one pass of a stage.
+ShaderSource stage_source(const ShaderLibrary& shaders, Stage stage, const Needs& needs, const Pass& pass,
+                          uint32_t group_size, Loads loads);
+
 class StageProgram {
  public:
-  /// Error when the shader's blocks, types, strides or offsets are not those of the tables.
-  StageProgram(const Context& context, Stage stage, const Needs& needs, uint32_t pass, Entry entry,
-               uint32_t group_size, Loads loads);
+  /// Error, for overridden shaders InputError, when the shader's blocks, types, strides or offsets are not
+  /// those of the tables.
+  StageProgram(const Context& context, Stage stage, const ShaderSource& source);
 
   ComputeProgram& program() { return program_; }
   /// By binding.
@@ -49,8 +53,10 @@ class StageProgram {
   void check_storage(Stage stage);
   void check_images(Stage stage);
   void check_params() const;
+  [[noreturn]] void refuse(const std::string& what) const;
 
   ComputeProgram program_;
+  bool overridden_;
   std::vector<BoundBlock> blocks_;
   std::vector<Field> images_;
 };

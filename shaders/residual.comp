@@ -22,6 +22,9 @@ void run(uint i) {
   bool converged = counted == 0.0 || error < bound;
   uint solve = goes_on ? solve_unfinished : converged ? solve_converged : solve_capped;
   sweeps[0] = uvec2(done, solve);
-  if (solve != solve_unfinished) sweep_groups[0] = 0u;
+  if (solve != solve_unfinished) {
+    sweep_groups[0] = 0u;  // of passes over particles
+    sweep_groups[3] = 0u;  // of passes over chunks
+  }
 #endif
 }

@@ -6,6 +6,8 @@
 #include <set>
 
 #include "core/plan.hpp"
+#include "gpu/prelude.hpp"
+#include "tests/support/needs.hpp"
 #include "tests/support/run_program.hpp"
 
 namespace sluice::test {
@@ -43,19 +45,6 @@ TEST(StageTable, EveryFileInCpuIsAStageOrTheBackend) {
   }
 }
 
-std::vector<Needs> all_needs() {
-  std::vector<Needs> all;
-  for (int bits = 0; bits < 8; ++bits) {
-    Needs needs;
-    needs.boundary = bits & 1;
-    needs.laplacian = bits & 2;
-    needs.linear_system = bits & 4;
-    needs.state_equation = !needs.linear_system;
-    all.push_back(needs);
-  }
-  return all;
-}
-
 /// What is there before the first stage of a step.
 bool carried(Field field) {
   return std::set{Field::id_in,      Field::x_in,       Field::v_in,  Field::p_in,
@@ -75,14 +64,33 @@ void expect_written_before_read(const Plan& plan) {
   }
 }
 
-// OpenGL 4.3 promises a compute shader eight storage blocks and no more.
-TEST(StageTable, NoStageUsesMoreThanEightFields) {
-  for (const StageInfo& stage : stage_table()) {
-    const FieldSet fields = stage.reads | stage.writes;
-    int used = 0;
-    for (uint32_t f = 0; f < field_count; ++f) used += fields.has(static_cast<Field>(f)) ? 1 : 0;
-    EXPECT_LE(used, 8) << stage.name;
-    EXPECT_GE(used, 1) << stage.name;
+TEST(StageTable, EveryStageHasItsShaderAndEveryComputeShaderIsKnown) {
+  std::set<std::string> shaders;
+  for (const auto& entry : std::filesystem::directory_iterator(source / "shaders")) {
+    if (entry.path().extension() == ".comp") shaders.insert(entry.path().stem().string());
+  }
+  std::set<std::string> known = stage_names();
+  for (const std::string& name : known) EXPECT_TRUE(shaders.contains(name)) << name;
+  known.insert({"draw_order", "probe_storage"});  // of pictures and of allocation
+  for (const std::string& name : shaders) EXPECT_TRUE(known.contains(name)) << name;
+}
+
+int occurrences(const std::string& text, const std::string& part) {
+  int count = 0;
+  for (size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+  return count;
+}
+
+// OpenGL 4.3 promises a compute shader eight storage blocks and eight images, and no more.
+TEST(StageTable, NoShaderDeclaresMoreThanEightBlocksOrImages) {
+  for (uint32_t s = 0; s < stage_count; ++s) {
+    const Stage stage = static_cast<Stage>(s);
+    for (const gpu::Loads loads : {gpu::Loads::blocks, gpu::Loads::texels}) {
+      const std::string text = gpu::prelude(stage, all_needs().back(), 0, 64, loads);
+      EXPECT_LE(occurrences(text, "buffer "), 8) << info(stage).name;
+      EXPECT_GE(occurrences(text, "buffer "), 1) << info(stage).name;
+      EXPECT_LE(occurrences(text, "mageBuffer "), 8) << info(stage).name;
+    }
   }
 }
 
