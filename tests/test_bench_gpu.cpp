@@ -50,6 +50,7 @@ TEST(BenchGpu, PagesAreNamedAfterTheGpu) {
   EXPECT_EQ(bench::page_name("llvmpipe (LLVM 15.0.6, 256 bits)"), "llvmpipe.md");
   EXPECT_EQ(bench::page_name("NVIDIA H100 80GB HBM3/PCIe/SSE2"), "nvidia-h100-80gb-hbm3.md");
   EXPECT_EQ(bench::page_name("Mesa Intel(R) UHD Graphics 620 (KBL GT2)"), "mesa-intel-r-uhd-graphics-620.md");
+  EXPECT_EQ(bench::page_name("Intel(R)"), "intel-r.md");
   EXPECT_EQ(bench::page_name("../"), "unknown.md");
 }
 
