@@ -18,11 +18,11 @@ constexpr std::string_view method_text = R"(
 
 - The scene is `breaking_dam`, refined to about the given number of fluid particles, with viscosity 2, time step 0.005 h
   (SSPH 0.001 h) and a start displaced by up to 0.1 h, after ten steps: particles are no longer on a lattice.
-- Whole steps run, with a fixed number of sweeps. A step is timed by the wall clock, with everything that the simulator
-  reads back. A stage is timed in these steps by the backend itself: by timestamps on the device, or, where a processor
-  plays the graphics card, by the clock after waiting for the stage to end. Where a device waits for commands in the
-  middle of a stage, as it may at small sizes, that counts. What is left of a step is the processor's own work, reading
-  back, and what a device waits between stages.
+- Whole steps run, with a fixed number of sweeps; every repetition is the same few steps again. A step is timed by the
+  wall clock, with everything that the simulator reads back. A stage is timed in these steps by the backend itself: by
+  timestamps on the device, or, where a processor plays the graphics card, by the clock after waiting for the stage to
+  end. Where a device waits for commands in the middle of a stage, as it may at small sizes, that counts. What is left of
+  a step is the processor's own work, reading back, and what a device waits between stages.
 - A sweep is `pressure_acceleration`, `pressure_operator`, `pressure_update` and `residual`.
 - The bytes of a sweep are those it must move at the least, by the stage table (`core/stages.cpp`): every field that one
   of its stages reads or writes counts once per stage, with 4 bytes for a float or an index and 8 for a vector. The

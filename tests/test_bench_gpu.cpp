@@ -1,5 +1,5 @@
-// What is timed on the GPU is what the page says: the stages of a step, sweeps that compute what the yardstick
-// computes, and the bytes that a sweep moves. What could not be measured is said to be missing.
+// What is timed on the GPU is what the page says: the stages of a step, sweeps that compute what the
+// yardstick computes, and the bytes that a sweep moves. What could not be measured is said to be missing.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,6 +25,18 @@ TEST(BenchGpu, EveryStageOfTheStepHasATime) {
     const bool runs = std::find(planned.begin(), planned.end(), stage) != planned.end();
     EXPECT_EQ(runs, !std::isnan(times.stage[i])) << info(stage).name;
   }
+}
+
+TEST(BenchGpu, EveryRepetitionIsTheSameSteps) {
+  const gpu::Context context;
+  const bench::CaseKey key{PressureMethod::iisph, small, Precision::single_, 1, bench::Machine::gpu};
+  bench::Case timed(key, &context), stepped(key, &context);
+  bench::time_steps(timed);
+  for (int step = 0; step < 10; ++step) stepped.step();
+  std::vector<double> x(2 * timed.n()), expected(x.size());
+  timed.backend().download(Field::x_in, x);
+  stepped.backend().download(Field::x_in, expected);
+  EXPECT_EQ(x, expected);
 }
 
 /// compare_sweeps() throws when they differ.
