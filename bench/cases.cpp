@@ -8,6 +8,7 @@
 #include "core/scene_file.hpp"
 #include "core/text.hpp"
 #include "cpu/backend.hpp"
+#include "gpu/backend.hpp"
 
 namespace sluice::bench {
 namespace {
@@ -20,6 +21,13 @@ double spacing_for(uint32_t size) {
   return (-3 * height + std::sqrt(9 * height * height + 4 * n * height * width)) / (2 * n);
 }
 
+std::unique_ptr<Backend> make_backend(const CaseKey& key, const gpu::Context* context) {
+  if (key.machine == Machine::cpu) return cpu::make_backend(key.precision, key.threads);
+  if (context == nullptr || key.precision != Precision::single_)
+    throw std::logic_error(key.name() + " wants an OpenGL context and float");
+  return gpu::make_backend(*context);
+}
+
 }  // namespace
 
 std::string size_text(uint32_t size) {
@@ -28,7 +36,8 @@ std::string size_text(uint32_t size) {
 }
 
 std::string CaseKey::name() const {
-  return fmt::format("{}/{}/{}/{}", name_of(method), size_text(size), name_of(precision), threads);
+  return fmt::format("{}/{}/{}/{}", name_of(method), size_text(size), name_of(precision),
+                     machine == Machine::gpu ? "gpu" : std::to_string(threads));
 }
 
 Scene make_scene(const CaseKey& key) {
@@ -43,12 +52,12 @@ Scene make_scene(const CaseKey& key) {
   return load_scene("breaking_dam", overrides);
 }
 
-Case::Case(const CaseKey& key)
+Case::Case(const CaseKey& key, const gpu::Context* context)
     : key_(key),
       scene_(make_scene(key)),
       samples_(sample(scene_)),
       params_(make_params(scene_, static_cast<uint32_t>(samples_.fluid.size()))),
-      backend_(cpu::make_backend(key.precision, key.threads)),
+      backend_(make_backend(key, context)),
       simulator_(std::make_unique<Simulator>(scene_, samples_, *backend_)) {
   for (int i = 0; i < steps_before; ++i) step();
 }

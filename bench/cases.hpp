@@ -11,16 +11,23 @@
 #include "core/sampling.hpp"
 #include "core/simulator.hpp"
 
+namespace sluice::gpu {
+class Context;
+}
+
 namespace sluice::bench {
+
+enum class Machine { cpu, gpu };
 
 struct CaseKey {
   PressureMethod method = PressureMethod::iisph;
   uint32_t size = 1000;  ///< about as many fluid particles
   Precision precision = Precision::single_;
-  int threads = 1;
+  int threads = 1;  ///< of the CPU backend
+  Machine machine = Machine::cpu;
 
   bool operator==(const CaseKey&) const = default;
-  /// "iisph/1k/float/2"
+  /// "iisph/1k/float/2", "iisph/1k/float/gpu"
   std::string name() const;
 };
 
@@ -35,8 +42,9 @@ Scene make_scene(const CaseKey& key);
 
 class Case {
  public:
-  /// Runs a few steps, after which particles are neither on a lattice nor sorted perfectly.
-  explicit Case(const CaseKey& key);
+  /// Runs a few steps, after which particles are neither on a lattice nor sorted perfectly. `context` is for
+  /// the GPU, and outlives this.
+  explicit Case(const CaseKey& key, const gpu::Context* context = nullptr);
   // The simulator refers to the members.
   Case(const Case&) = delete;
   Case& operator=(const Case&) = delete;

@@ -1,14 +1,20 @@
 // sluice_bench [--million] [--markdown FILE] [Google Benchmark's options]
 // Times every stage, sweeps and whole steps on the CPU. --million adds a million particles (minutes more),
 // --markdown writes the tables of docs/benchmarks/cpu.md.
+//
+// sluice_bench --gpu [--pages FOLDER] [--tests LOG] [--agreement FILE]...
+// Times the same on the GPU, with whatever sizes it holds, and writes FOLDER/<name of the GPU>.md or prints
+// it, with the result of the tests in ctest's LOG and of each `sluice agree --summary FILE`. Exit code 1 when
+// one of these is bad.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
-#include <cstring>
 #include <exception>
 #include <fstream>
+#include <string_view>
 
 #include "bench/benchmarks.hpp"
+#include "bench/gpu_report.hpp"
 #include "bench/report.hpp"
 
 namespace sluice::bench {
@@ -17,6 +23,8 @@ namespace {
 struct Options {
   bool million = false;
   std::string markdown;
+  bool on_gpu = false;
+  GpuOptions gpu;
   std::vector<char*> rest;  ///< for Google Benchmark
 };
 
@@ -25,10 +33,20 @@ Options parse(int argc, char** argv) {
   Options options;
   options.rest = {argv[0], min_time};  // before the user's, which win
   for (int i = 1; i < argc; ++i) {
-    if (std::strcmp(argv[i], "--million") == 0)
+    const std::string_view word = argv[i];
+    const bool has_value = i + 1 < argc;
+    if (word == "--million")
       options.million = true;
-    else if (std::strcmp(argv[i], "--markdown") == 0 && i + 1 < argc)
+    else if (word == "--gpu")
+      options.on_gpu = true;
+    else if (word == "--markdown" && has_value)
       options.markdown = argv[++i];
+    else if (word == "--pages" && has_value)
+      options.gpu.pages = argv[++i];
+    else if (word == "--tests" && has_value)
+      options.gpu.test_log = argv[++i];
+    else if (word == "--agreement" && has_value)
+      options.gpu.agreement.push_back(argv[++i]);
     else
       options.rest.push_back(argv[i]);
   }
@@ -58,6 +76,7 @@ int run(int argc, char** argv) {
   int rest = static_cast<int>(options.rest.size());
   benchmark::Initialize(&rest, options.rest.data());
   if (benchmark::ReportUnrecognizedArguments(rest, options.rest.data())) return 2;
+  if (options.on_gpu) return report_gpu(options.gpu) ? 0 : 1;
   add_benchmarks(options.million);
   Collector collector;
   benchmark::RunSpecifiedBenchmarks(&collector);

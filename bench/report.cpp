@@ -4,10 +4,10 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "bench/cases.hpp"
+#include "bench/tables.hpp"
 #include "core/memory.hpp"
 #include "core/text.hpp"
 #include "cpu/backend.hpp"
@@ -20,27 +20,19 @@ constexpr std::array<Precision, 2> precisions = {Precision::single_, Precision::
 const std::array<std::string, 5> grid_parts = {"grid_count", "grid_scan", "grid_scatter", "grid_order",
                                                "reorder"};
 
-std::string text(double value) {
-  if (std::isnan(value)) return "-";
-  return fmt::format("{:.{}f}", value, value >= 100 ? 0 : value >= 10 ? 1 : value >= 1 ? 2 : 3);
-}
-
-std::string row(const std::string& title, const std::vector<std::string>& cells) {
-  return fmt::format("| {} | {} |\n", title, fmt::join(cells, " | "));
-}
-
 std::string head(const std::string& title) {
   std::vector<std::string> names;
   for (const uint32_t size : sizes) names.push_back(size_text(size));
-  return row(title, names) + row("---", std::vector<std::string>(sizes.size(), "---:"));
+  return table_head(title, names);
 }
 
 /// One cell per size, with what `cell` says of 1 and of 2 threads.
 template <class Cell>
 std::string row_of(const std::string& title, Cell&& cell) {
   std::vector<std::string> cells;
-  for (const uint32_t size : sizes) cells.push_back(text(cell(size, 1)) + " / " + text(cell(size, 2)));
-  return row(title, cells);
+  for (const uint32_t size : sizes)
+    cells.push_back(number_text(cell(size, 1)) + " / " + number_text(cell(size, 2)));
+  return table_row(title, cells);
 }
 
 }  // namespace
@@ -89,7 +81,7 @@ std::string Collector::markdown() const {
 
   page += "\n### Sweeps, in millions of particles per second, 1 / 2 threads\n\n" + head("");
   page += "| yardstick, float, 1 thread |";
-  for (const uint32_t size : sizes) page += fmt::format(" {} |", text(1e3 / yardstick(size)));
+  for (const uint32_t size : sizes) page += fmt::format(" {} |", number_text(1e3 / yardstick(size)));
   page += '\n';
   for (const Precision precision : precisions) {
     const auto sweep = ns(iisph, precision, "sweep");

@@ -1,0 +1,204 @@
+// Words and tables of the page.
+#include "bench/gpu_page.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include "bench/tables.hpp"
+#include "core/text.hpp"
+
+namespace sluice::bench {
+namespace {
+
+constexpr std::string_view method_text = R"(
+## How it is measured
+
+- The scene is `breaking_dam`, refined to about the given number of fluid particles, with viscosity 2, time step 0.005 h
+  (SSPH 0.001 h) and a start displaced by up to 0.1 h, after ten steps: particles are no longer on a lattice.
+- Whole steps run, with a fixed number of sweeps; every repetition is the same few steps again. A step is timed by the
+  wall clock, with everything that the simulator reads back. A stage is timed in these steps by the backend itself: by
+  timestamps on the device, or, where a processor plays the graphics card, by the clock after waiting for the stage to
+  end. Where a device waits for commands in the middle of a stage, as it may at small sizes, that counts. What is left of
+  a step is the processor's own work, reading back, and what a device waits between stages.
+- A sweep is `pressure_acceleration`, `pressure_operator`, `pressure_update` and `residual`.
+- The bytes of a sweep are those it must move at the least, by the stage table (`core/stages.cpp`): every field that one
+  of its stages reads or writes counts once per stage, with 4 bytes for a float or an index and 8 for a vector. The
+  neighbour list counts with the entries that are in it, 4 bytes of index and 8 of gradient each, in both stages that walk
+  it. What caches save beyond that, scratch memory and the parts of slices that hold no neighbour do not count.
+- Copy bandwidth counts bytes read and bytes written, of `glCopyBufferSubData` between two buffers on the same device.
+- Tables hold the fastest of the repetitions, each number on its own. Ratios are of speeds: 2 is twice as fast.
+)";
+
+constexpr std::string_view software_text =
+    "- The driver uses all its threads at every size. `sluice run` lets it use only the one that calls it "
+    "below 20,000 "
+    "particles.\n";
+
+const SizeTimes* beside_cpu(const GpuReport& report) {
+  for (const SizeTimes& times : report.sizes) {
+    if (times.size == report.cpu.size && times.iisph) return &times;
+  }
+  return nullptr;
+}
+
+/// `cell` of every size.
+template <class Cell>
+std::vector<std::string> size_cells(const GpuReport& report, Cell&& cell) {
+  std::vector<std::string> cells;
+  for (const SizeTimes& times : report.sizes) {
+    cells.push_back(times.left_out.empty() ? cell(times) : "left out");
+  }
+  return cells;
+}
+
+/// What a row says of the GPU and the CPU beside each other.
+enum class Compare { nothing, more_is_faster, less_is_faster };
+
+/// A row with `value` of every size and of the CPU, and how many times as fast the GPU is at the CPU's size.
+template <class Value>
+std::string compared_row(const std::string& title, const GpuReport& report, Compare compare, Value&& value) {
+  auto cells = size_cells(report, [&](const SizeTimes& times) { return number_text(value(times)); });
+  const double cpu = value(report.cpu);
+  const SizeTimes* gpu = beside_cpu(report);
+  double ratio = std::nan("");
+  if (gpu != nullptr && compare == Compare::more_is_faster) ratio = value(*gpu) / cpu;
+  if (gpu != nullptr && compare == Compare::less_is_faster) ratio = cpu / value(*gpu);
+  cells.push_back(number_text(cpu));
+  cells.push_back(number_text(ratio));
+  return table_row(title, cells);
+}
+
+std::vector<std::string> names(const GpuReport& report, bool with_cpu) {
+  std::vector<std::string> all;
+  for (const SizeTimes& times : report.sizes) all.push_back(size_text(times.size));
+  if (with_cpu) {
+    all.push_back(fmt::format("CPU, {} threads, {}", report.threads, size_text(report.cpu.size)));
+    all.push_back("GPU / CPU");
+  }
+  return all;
+}
+
+std::string left_out(const GpuReport& report) {
+  std::string text;
+  for (const SizeTimes& times : report.sizes) {
+    if (!times.left_out.empty())
+      text += fmt::format("\n{} left out: {}\n", size_text(times.size), times.left_out);
+  }
+  return text;
+}
+
+std::string sweep_table(const GpuReport& report) {
+  std::string text = "\n### Sweeps\n\n" + table_head("", names(report, false));
+  const auto add = [&](const std::string& title, auto value) {
+    text += table_row(
+        title, size_cells(report, [&](const SizeTimes& times) { return number_text(value(*times.iisph)); }));
+  };
+  const auto rate = [](const StepTimes& times) { return times.sweep_bytes / times.sweep; };
+  text +=
+      table_row("fluid particles",
+                size_cells(report, [](const SizeTimes& times) { return std::to_string(times.iisph->n); }));
+  add("neighbours per particle", [](const StepTimes& times) { return times.neighbours; });
+  add("nanoseconds per particle", [](const StepTimes& times) { return 1e9 * times.sweep / times.n; });
+  add("millions of particles per second",
+      [](const StepTimes& times) { return 1e-6 * times.n / times.sweep; });
+  add("bytes per particle", [](const StepTimes& times) { return times.sweep_bytes / times.n; });
+  add("GB/s", [&](const StepTimes& times) { return 1e-9 * rate(times); });
+  add("share of copy bandwidth, %", [&](const StepTimes& times) { return 100 * rate(times) / report.copy; });
+  return text + left_out(report);
+}
+
+std::string step_table(const GpuReport& report) {
+  std::string text = fmt::format("\n### Whole steps (IISPH: {} sweeps)\n\n", sweeps_per_step) +
+                     table_head("", names(report, true));
+  for (const auto& [title, steps_of] :
+       {std::pair("IISPH", &SizeTimes::iisph), std::pair("SSPH", &SizeTimes::ssph)}) {
+    text += compared_row(fmt::format("{}, steps per second", title), report, Compare::more_is_faster,
+                         [&](const SizeTimes& times) { return 1 / (times.*steps_of)->step; });
+    text += compared_row(
+        fmt::format("{}, time in stages, %", title), report, Compare::nothing,
+        [&](const SizeTimes& times) { return 100 * (times.*steps_of)->in_stages / (times.*steps_of)->step; });
+  }
+  return text;
+}
+
+std::string stage_table_text(const GpuReport& report) {
+  std::string text = "\n### Stages, nanoseconds per particle\n\n" + table_head("stage", names(report, true));
+  for (size_t i = 0; i < stage_count; ++i) {
+    const Stage stage = static_cast<Stage>(i);
+    if (stage == Stage::relax) continue;  // of the start only
+    text += compared_row(
+        std::string(info(stage).name), report, Compare::less_is_faster, [&](const SizeTimes& times) {
+          const StepTimes& from = stage == Stage::state_equation ? *times.ssph : *times.iisph;
+          return 1e9 * from.stage[i] / from.n;
+        });
+  }
+  return text;
+}
+
+std::string compared_table(const GpuReport& report) {
+  std::string text = fmt::format(
+      "\n### A sweep beside the CPU backend and the yardstick, milliseconds by the wall clock\n\n"
+      "Measured in turns in one run, {} sweeps at a time, with reading back whether the solve is over. 74k "
+      "is "
+      "`breaking_dam` with `particles.spacing=0.8 viscosity.coefficient=2 time.dt=0.004`, displaced as "
+      "above. The "
+      "yardstick (`bench/yardstick.cpp`) is a sweep as a straightforward programmer would write it, on one "
+      "thread.\n\n",
+      sweeps_per_step);
+  text += table_head("fluid particles", {"yardstick", fmt::format("CPU, {} threads", report.threads), "GPU",
+                                         "CPU / yardstick", "GPU / yardstick", "GPU / CPU"});
+  for (const SweepTimes& times : report.compared) {
+    std::vector<std::string> cells;
+    for (const double seconds : {times.yardstick, times.cpu, times.gpu})
+      cells.push_back(number_text(1e3 * seconds));
+    for (const double ratio :
+         {times.yardstick / times.cpu, times.yardstick / times.gpu, times.cpu / times.gpu})
+      cells.push_back(number_text(ratio));
+    text += table_row(std::to_string(times.n), cells);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string short_name(const std::string& renderer) {
+  return renderer.substr(0, std::min(renderer.find(" ("), renderer.find('/')));
+}
+
+std::string page_name(const std::string& renderer) {
+  std::string name;
+  for (const char c : short_name(renderer)) {
+    if (std::isalnum(static_cast<unsigned char>(c)))
+      name += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    else if (!name.empty() && name.back() != '-')
+      name += '-';
+  }
+  while (name.ends_with('-')) name.pop_back();
+  return (name.empty() ? "unknown" : name) + ".md";
+}
+
+std::string gpu_page(const GpuReport& report) {
+  std::string page = fmt::format(
+      "# Speed of the GPU backend on {}\n\n`scripts/bench_gpu` installs what is missing, builds, tests, "
+      "measures and "
+      "writes this page.\n\n- GPU: {}{}\n- driver: OpenGL {}\n- date: {}\n- processor: {}, {} hardware "
+      "threads\n"
+      "- compiler: {}\n- copy bandwidth: {} GB/s, with {:.0f} MiB in each buffer\n",
+      short_name(report.renderer), report.renderer,
+      report.software ? " (a processor plays the graphics card)" : "", report.driver, report.date,
+      report.processor, report.threads, report.compiler, number_text(1e-9 * report.copy),
+      report.bytes / (1024 * 1024));
+  if (report.tests) page += "\n## Tests\n\n" + report.tests->markdown;
+  if (report.agreement)
+    page += "\n## Agreement with the CPU backend in float\n\n" + report.agreement->markdown;
+  page += method_text;
+  if (report.software) page += software_text;
+  page += "\n## Measured\n" + sweep_table(report) + step_table(report) + stage_table_text(report) +
+          compared_table(report);
+  return page;
+}
+
+}  // namespace sluice::bench

@@ -1,0 +1,38 @@
+// The page of docs/benchmarks about one GPU: what was found out about correctness, and the times.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bench/findings.hpp"
+#include "bench/gpu_times.hpp"
+
+namespace sluice::bench {
+
+/// What was measured at one size, or why nothing was.
+struct SizeTimes {
+  uint32_t size = 0;
+  std::optional<StepTimes> iisph, ssph;
+  std::string left_out;
+};
+
+struct GpuReport {
+  std::string renderer, driver, date, processor, compiler;
+  bool software = false;
+  int threads = 0;                          ///< of the processor
+  double copy = 0, bytes = 0;               ///< of the device: bytes per second; bytes of a copy
+  std::optional<Finding> tests, agreement;  ///< none: not looked for
+  std::vector<SizeTimes> sizes;
+  SizeTimes cpu;  ///< with all threads
+  std::vector<SweepTimes> compared;
+};
+
+/// "llvmpipe", "NVIDIA H100 80GB HBM3": the renderer as OpenGL names it, without the rest.
+std::string short_name(const std::string& renderer);
+/// The same for a file: "nvidia-h100-80gb-hbm3.md".
+std::string page_name(const std::string& renderer);
+
+std::string gpu_page(const GpuReport& report);
+
+}  // namespace sluice::bench
