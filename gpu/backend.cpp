@@ -68,7 +68,7 @@ class Implementation final : public GpuBackend {
       const Field field = static_cast<Field>(i);
       if (fields.has(field)) make_field(field);
     }
-    make_room(context_, scratch_, scratch_size(sizes, group_size_) * sizeof(uint32_t), "scratch");
+    make_room(context_, scratch_, scratch_size(sizes) * sizeof(uint32_t), "scratch");
     plan_passes();
   }
 
@@ -259,6 +259,7 @@ class Implementation final : public GpuBackend {
       ComputeProgram& compute = stage_program.program();
       bind(stage_program);
       compute.set("count", static_cast<uint32_t>(pass.count));
+      compute.set("cells", static_cast<uint32_t>(element_count(Field::C)));
       compute.set("list_size", static_cast<uint32_t>(sizes_.list));
       compute.set("fold_length", pass.fold_length);
       compute.set("fold_from", pass.fold_from);

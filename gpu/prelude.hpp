@@ -17,7 +17,7 @@ namespace sluice::gpu {
 enum class Entry { invocation, group };
 
 /// Consecutive cells that one invocation of the prefix sum takes.
-inline constexpr uint32_t scan_width = 16;
+inline constexpr uint32_t scan_width = 64;
 
 /// How `load(field, i)` reads a field that the stage does not write: from its storage block, or as a texel of
 /// an image of the buffer. On graphics cards the first is the fast way; llvmpipe reads a block's elements one

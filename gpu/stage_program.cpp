@@ -21,12 +21,12 @@ Pass each_invocation(uint32_t number, uint64_t count, uint32_t group_size) {
   return pass;
 }
 
-Pass each_group(uint32_t number, uint64_t count, uint64_t per_group) {
+Pass one_group(uint32_t number, uint64_t count) {
   Pass pass;
   pass.number = number;
   pass.entry = Entry::group;
   pass.count = count;
-  pass.per_group = per_group;
+  pass.per_group = count;
   return pass;
 }
 
@@ -74,12 +74,12 @@ Field field_named(const std::string& name, std::string (*name_of)(Field)) {
 }  // namespace
 
 std::vector<Pass> passes_of(Stage stage, const Sizes& sizes, uint32_t group_size) {
-  const uint64_t n = sizes.fluid, cells = sizes.of(Length::cells), block = uint64_t{group_size} * scan_width;
+  const uint64_t n = sizes.fluid, cells = sizes.of(Length::cells);
   switch (stage) {
     case Stage::grid_count: return {each_invocation(0, cells, group_size), each_invocation(1, n, group_size)};
     case Stage::grid_scan: {
-      const uint64_t blocks = groups_of(cells, block);
-      return {each_group(0, cells, block), each_group(1, blocks, blocks), each_group(2, cells, block)};
+      const uint64_t runs = groups_of(cells, scan_width);
+      return {each_invocation(0, runs, group_size), one_group(1, runs), each_invocation(2, runs, group_size)};
     }
     case Stage::grid_order: return {each_invocation(0, n, group_size), each_invocation(1, n, group_size)};
     case Stage::neighbours:
@@ -94,8 +94,8 @@ std::vector<Pass> passes_of(Stage stage, const Sizes& sizes, uint32_t group_size
   }
 }
 
-uint64_t scratch_size(const Sizes& sizes, uint32_t group_size) {
-  const uint64_t scan = groups_of(sizes.of(Length::cells), uint64_t{group_size} * scan_width);
+uint64_t scratch_size(const Sizes& sizes) {
+  const uint64_t scan = groups_of(sizes.of(Length::cells), scan_width);
   const uint64_t folds = 2 * total_count * groups_of(sizes.chunks(), chunk_width);
   return std::max({sizes.fluid, scan, folds, uint64_t{1}});
 }

@@ -25,7 +25,7 @@ struct Pass {
 std::vector<Pass> passes_of(Stage stage, const Sizes& sizes, uint32_t group_size);
 
 /// Elements of scratch memory that the passes of all stages need.
-uint64_t scratch_size(const Sizes& sizes, uint32_t group_size);
+uint64_t scratch_size(const Sizes& sizes);
 
 /// A block of a stage's shader: a field's, or one of the two that are none.
 struct BoundBlock {

@@ -1,55 +1,47 @@
-// Inclusive prefix sum of C: afterwards C[c] is the end of cell c in L [Hunkler 2022, algorithm 3]. In three passes:
-// sums of blocks of cells, their exclusive prefix sum by a single group, and the prefix sums within the blocks. An
-// invocation takes `scan_width` cells, a group one block [Blelloch 1990].
+// Inclusive prefix sum of C: afterwards C[c] is the end of cell c in L [Hunkler 2022, algorithm 3]. In three passes: the
+// sums of runs of cells, the exclusive prefix sums of these by a single group, and the prefix sums within the runs
+// [Blelloch 1990]. An invocation takes a run of `scan_width` cells.
 
-shared uint prefix[group_size];
+uniform uint cells;  // and the end behind the last one
 
-/// Sum of `value` over the invocations of the group before this one.
-uint exclusive_in_group(uint value) {
-  uint lane = gl_LocalInvocationIndex;
-  prefix[lane] = value;
-  barrier();
-  for (uint reach = 1u; reach < group_size; reach *= 2u) {
-    uint below = lane >= reach ? prefix[lane - reach] : 0u;
-    barrier();
-    prefix[lane] += below;
-    barrier();
-  }
-  return prefix[lane] - value;
-}
-
-uint sum_of_cells(uint first) {
-  uint sum = 0u;
-  for (uint k = 0u; k < scan_width; ++k) sum += first + k < count ? C[first + k] : 0u;
-  return sum;
-}
-
-void run_group(uint block) {
-  uint lane = gl_LocalInvocationIndex;
 #if PASS == 0
-  uint sum = sum_of_cells((block * group_size + lane) * scan_width);
-  uint before = exclusive_in_group(sum);
-  if (lane == group_size - 1u && block * group_size * scan_width < count) scratch[block] = before + sum;
+
+void run(uint i) {
+  uint sum = 0u;
+  for (uint c = i * scan_width; c < min((i + 1u) * scan_width, cells); ++c) sum += C[c];
+  scratch[i] = sum;
+}
+
 #elif PASS == 1
-  // `count` blocks; each invocation takes a run of them.
+
+shared uint sums[group_size];
+
+// `count` runs; each invocation takes as many of them in a row as it must.
+void run_group(uint group) {
+  uint lane = gl_LocalInvocationIndex;
   uint share = (count + group_size - 1u) / group_size;
   uint first = min(lane * share, count), last = min(first + share, count);
   uint sum = 0u;
   for (uint k = first; k < last; ++k) sum += scratch[k];
-  uint running = exclusive_in_group(sum);
+  sums[lane] = sum;
+  barrier();
+  uint running = 0u;
+  for (uint before = 0u; before < lane; ++before) running += sums[before];
   for (uint k = first; k < last; ++k) {
     uint own = scratch[k];
     scratch[k] = running;
     running += own;
   }
-#else
-  uint first = (block * group_size + lane) * scan_width;
-  uint running = exclusive_in_group(sum_of_cells(first));
-  if (first >= count) return;
-  running += scratch[block];
-  for (uint k = first; k < min(first + scan_width, count); ++k) {
-    running += C[k];
-    C[k] = running;
-  }
-#endif
 }
+
+#else
+
+void run(uint i) {
+  uint running = scratch[i];
+  for (uint c = i * scan_width; c < min((i + 1u) * scan_width, cells); ++c) {
+    running += C[c];
+    C[c] = running;
+  }
+}
+
+#endif

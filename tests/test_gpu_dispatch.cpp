@@ -142,7 +142,7 @@ void expect_same(double found, float expected, uint64_t chunks, uint32_t which) 
 TEST(GpuFold, EveryLevelWritesElsewhereThanItReadsAndWithinItsMemory) {
   for (const uint64_t chunks : chunk_counts) {
     const Sizes sizes{.fluid = chunks * chunk_width};
-    const uint64_t scratch = gpu::scratch_size(sizes, 64);
+    const uint64_t scratch = gpu::scratch_size(sizes);
     for (const auto& [stage, arrays] :
          {std::pair(Stage::residual, 2u), std::pair(Stage::totals, total_count)}) {
       uint64_t length = chunks, written = 0;
