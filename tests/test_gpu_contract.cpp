@@ -189,6 +189,9 @@ TEST_F(ShaderFolder, WhatThePreludeForbidsNamesFileAndLine) {
       "layout(std430) buffer index_block { float index[]; };\nvoid run(uint i) { rho[i] = index[i]; }\n");
   EXPECT_TRUE(has(refusal(), "index_block")) << refusal();
   put("density.comp",
+      "layout(std140) uniform params_block { float dt; } mine;\nvoid run(uint i) { rho[i] = mine.dt; }\n");
+  EXPECT_TRUE(has(refusal(), "params_block")) << refusal();
+  put("density.comp",
       "\nlayout(std430) buffer v_block { vec2 v[]; };\nvoid run(uint i) { rho[i] = v[i].x; }\n");
   EXPECT_TRUE(has(refusal(), at("density.comp: has the storage block v_block"))) << refusal();
 }
