@@ -140,7 +140,7 @@ std::string stage_table_text(const GpuReport& report) {
 
 std::string compared_table(const GpuReport& report) {
   std::string text = fmt::format(
-      "\n### A sweep beside the CPU backend and the yardstick, milliseconds by the wall clock\n\n"
+      "\n### A sweep beside the CPU backend and the yardstick, milliseconds per sweep by the wall clock\n\n"
       "Measured in turns in one run, {} sweeps at a time, with reading back whether the solve is over. 74k "
       "is "
       "`breaking_dam` with `particles.spacing=0.8 viscosity.coefficient=2 time.dt=0.004`, displaced as "

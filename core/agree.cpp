@@ -55,7 +55,10 @@ Agreement agree(const Scene& scene, const Samples& samples, const Contestants& c
     const StepReport a = reference.step(), b = other.step();
     compare_step(a, b, reference, other, scene.spacing, result.run);
   }
-  result.pass = tolerance > 0 || (result.run.equal && result.run.iterations_equal);
+  result.run.reference_failure = reference.failure();
+  result.run.other_failure = other.failure();
+  result.pass =
+      result.run.ended_alike() && (tolerance > 0 || (result.run.equal && result.run.iterations_equal));
   for (uint32_t i = 0; i < stage_count; ++i) {
     const Difference& difference = comparing.difference(static_cast<Stage>(i));
     if (difference.values == 0) continue;

@@ -1,9 +1,11 @@
 // Do two backends agree? Every stage from identical input, and a whole run beside the other.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "core/agreement.hpp"
+#include "core/report.hpp"
 #include "core/sampling.hpp"
 #include "core/scene.hpp"
 
@@ -21,6 +23,10 @@ struct RunAgreement {
   uint64_t first_difference_step = 0;  ///< 0: none
   double max_dx_over_h = 0;            ///< largest distance between two places of a particle, over all steps
   bool iterations_equal = true;
+  /// Why the reference's run, or the other, became invalid in the last of these steps.
+  std::optional<Failure> reference_failure, other_failure;
+
+  bool ended_alike() const { return reference_failure.has_value() == other_failure.has_value(); }
 };
 
 struct Agreement {

@@ -159,9 +159,10 @@ void SplitBackend::configure(const Params& params, const Needs& needs) {
   after_.configure(params, needs);
 }
 
-/// A step begins with the grid, whatever its plan.
+/// A step begins with the grid, whatever its plan, or again with the neighbours when their list was too
+/// short.
 void SplitBackend::run(Stage stage) {
-  if (stage == Stage::grid_count) hand_over(before_);
+  if (stage == Stage::grid_count || (stage == Stage::neighbours && split_ >= stage)) hand_over(before_);
   active_->run(stage);
   if (stage == split_) hand_over(after_);
 }

@@ -21,6 +21,9 @@ enum class Length { one, fluid, cells, boundary, list, gradients, residual, diag
 
 enum class Type { real, vec2, vec4, uint, uvec2 };
 
+/// Rounds that loops of one shader invocation may make: some drivers end them all, silently, after 65535.
+inline constexpr uint32_t most_rounds = 65'000;
+
 /// Where the pressure solve of a step stands.
 enum class Solve : uint32_t { unfinished, converged, capped };
 

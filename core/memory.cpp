@@ -73,8 +73,9 @@ double available_memory() {
   return limit < std::numeric_limits<double>::infinity() ? std::min(available, limit - used) : available;
 }
 
-void require_memory(const Scene& scene, Precision precision, double available) {
-  const MemoryNeed need = memory_need(scene, precision);
+void require_memory(const Scene& scene, Precision precision, double available, double times) {
+  MemoryNeed need = memory_need(scene, precision);
+  need.bytes *= times;
   const glm::dvec2 cells = grid_cells(scene);
   const auto entries = double(first_list_size(capped(need.fluid), scene.smoothing));
   const bool countable = need.fluid + need.boundary <= largest_count && cells.x * cells.y <= largest_count &&

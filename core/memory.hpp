@@ -18,8 +18,8 @@ MemoryNeed memory_need(const Scene& scene, Precision precision);
 /// Bytes this process may still take: free memory of the machine, or of its control group if that is less.
 double available_memory();
 
-/// Throws InputError at particles.spacing when the scene needs more than `available` bytes, or more particles
-/// or grid cells than 32-bit indices can count.
-void require_memory(const Scene& scene, Precision precision, double available);
+/// Throws InputError at particles.spacing when the scene, `times` over, needs more than `available` bytes, or
+/// more particles or grid cells than 32-bit indices can count.
+void require_memory(const Scene& scene, Precision precision, double available, double times = 1);
 
 }  // namespace sluice

@@ -162,6 +162,8 @@ void Simulator::run_step(const Plan& plan, StepReport& report) {
     solve_pressure(plan, report);
     run(plan.finish);
   } while (list_was_too_short());
+  // Not before the step stands: a solve with a list that was too short means nothing.
+  if (!plan.sweep.empty()) first_look_ = report.iterations;
 }
 
 /// Makes the neighbour list longer if it is too short.
@@ -170,10 +172,11 @@ bool Simulator::list_was_too_short() {
   backend_.download(Field::list_needed, std::span(&needed, 1));
   if (needed <= sizes_.list) return false;
   if (needed == list_beyond_bounds) {
-    throw EnvironmentError(fmt::format(
-        "step {}: the neighbour list would need more than 2^32 entries, or more than 65000 particles crowd "
-        "around one; use a smaller time step or fewer particles",
-        steps_));
+    throw EnvironmentError(
+        fmt::format("step {}: the neighbour list would need more than 2^32 entries, or on the GPU more than "
+                    "{} particles crowd "
+                    "around one; use a smaller time step or fewer particles",
+                    steps_, most_rounds));
   }
   sizes_.list =
       std::min<uint64_t>(uint64_t{needed} + needed / 4, list_beyond_bounds - 1) / slice_width * slice_width;
@@ -194,7 +197,7 @@ void Simulator::solve_pressure(const Plan& plan, StepReport& report) {
   } while (static_cast<Solve>(sweeps[1]) == Solve::unfinished);
   std::array<double, 2> sums{};
   backend_.download(Field::residual, sums);
-  report.iterations = first_look_ = sweeps[0];
+  report.iterations = sweeps[0];
   report.residual = sums[1] == 0 ? 0 : sums[0] / sums[1];
   report.converged = static_cast<Solve>(sweeps[1]) == Solve::converged;
 }

@@ -10,6 +10,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "core/error.hpp"
 #include "gpu/context.hpp"
 #include "gpu/stage_program.hpp"
 #include "gpu/storage.hpp"
@@ -58,8 +59,19 @@ class Implementation final : public GpuBackend {
     make_room(context_, unused_, 0, "nothing");
   }
 
+  // The members that follow are deleted with the right context current, whatever was current before.
+  ~Implementation() override { context_.make_current(); }
+  Implementation(const Implementation&) = delete;
+  Implementation& operator=(const Implementation&) = delete;
+
   void allocate(FieldSet fields, const Sizes& sizes) override {
     context_.make_current();
+    if (sizes.cells > most_cells(group_size_)) {
+      throw EnvironmentError(fmt::format(
+          "a grid of {} cells is more than the GPU backend can sort into, {}; use a smaller domain, a "
+          "larger spacing, or --backend cpu",
+          sizes.cells, most_cells(group_size_)));
+    }
     fields_ = fields;
     sizes_ = sizes;
     for (auto& memory : memory_) memory.reset();
@@ -266,7 +278,7 @@ class Implementation final : public GpuBackend {
       compute.set("fold_to", pass.fold_to);
       compute.set("fold_first", pass.fold_first ? 1u : 0u);
       if (unless_solved)
-        compute.dispatch_indirect(sweep_groups_, pass.count == sizes_.fluid ? 0 : groups_of_chunks);
+        compute.dispatch_indirect(sweep_groups_, pass.over_chunks ? groups_of_chunks : 0);
       else
         compute.dispatch(groups_for(pass.count, pass.per_group));
     }

@@ -59,6 +59,9 @@ ComputeProgram::ComputeProgram(const Context& context, const ShaderSource& sourc
 
 void ComputeProgram::read_interface() {
   const GLuint program = program_.name();
+  std::array<GLint, 3> local_size{};
+  glGetProgramiv(program, GL_COMPUTE_WORK_GROUP_SIZE, local_size.data());
+  group_size_ = static_cast<uint32_t>(local_size[0]);
   for (GLuint block = 0; block < resource_count(program, GL_SHADER_STORAGE_BLOCK); ++block) {
     storage_.push_back({resource_name(program, GL_SHADER_STORAGE_BLOCK, block)});
     glShaderStorageBlockBinding(program, block, block);

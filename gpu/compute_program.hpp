@@ -36,6 +36,8 @@ class ComputeProgram {
   /// Compiled and linked; errors as those of Shader. `params_block` is bound to 0.
   ComputeProgram(const Context& context, const ShaderSource& source);
 
+  /// Invocations per group, as the shader declares them.
+  uint32_t group_size() const { return group_size_; }
   const std::string& title() const { return title_; }
   const std::vector<StorageBlock>& storage() const { return storage_; }
   /// Images that the shader reads, bound by their place among them.
@@ -61,6 +63,7 @@ class ComputeProgram {
 
   std::string title_;
   ProgramObject program_;
+  uint32_t group_size_ = 0;
   std::vector<StorageBlock> storage_;
   std::vector<std::string> images_;
   std::vector<UniformMember> params_;

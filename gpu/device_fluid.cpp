@@ -5,17 +5,12 @@
 
 #include "gpu/backend.hpp"
 #include "gpu/context.hpp"
+#include "gpu/storage.hpp"
 
 namespace sluice::gpu {
 namespace {
 
-constexpr uint64_t group_size = 64;           // as in the shader
 constexpr uint32_t promised_groups = 0xffff;  // per dimension, by every OpenGL
-
-void make_room(const Buffer& buffer, size_t bytes) {
-  glBindBuffer(GL_COPY_WRITE_BUFFER, buffer.name());
-  glBufferData(GL_COPY_WRITE_BUFFER, static_cast<GLsizeiptr>(bytes), nullptr, GL_DYNAMIC_COPY);
-}
 
 Field field_of(Colour colour) {
   switch (colour) {
@@ -34,7 +29,7 @@ DeviceFluid::DeviceFluid(const Context& context, Vec2 corner)
       program_(context, context.shaders().load("draw_order.comp")),
       cloud_(context),
       largest_(context) {
-  make_room(largest_, sizeof(uint32_t));
+  make_room(context, largest_, sizeof(uint32_t), "the largest value");
 }
 
 DeviceFluid::~DeviceFluid() { context_.make_current(); }
@@ -42,8 +37,8 @@ DeviceFluid::~DeviceFluid() { context_.make_current(); }
 void DeviceFluid::collect(const GpuBackend& backend, size_t count, Colour colour, double unit) {
   context_.make_current();
   if (cloud_.count != count) {
-    make_room(cloud_.positions, count * sizeof(glm::vec2));
-    make_room(cloud_.values, count * sizeof(float));
+    make_room(context_, cloud_.positions, count * sizeof(glm::vec2), "positions to draw");
+    make_room(context_, cloud_.values, count * sizeof(float), "values to draw");
     cloud_.count = count;
   }
   const GLuint nothing = 0;
@@ -60,6 +55,7 @@ void DeviceFluid::collect(const GpuBackend& backend, size_t count, Colour colour
   program_.set("corner", corner_);
   program_.set("of_vectors", colour == Colour::speed ? 1u : 0u);
   program_.set("unit", unit);
+  const uint64_t group_size = program_.group_size();
   program_.dispatch(spread((count + group_size - 1) / group_size, promised_groups));
 }
 

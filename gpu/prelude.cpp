@@ -30,6 +30,7 @@ std::string constants(const Needs& needs, uint32_t pass, uint32_t group_size) {
   add("chunk_width", chunk_width);
   add("scan_width", scan_width);
   add("list_beyond_bounds", list_beyond_bounds);
+  add("most_rounds", most_rounds);
   add("solve_unfinished", static_cast<uint32_t>(Solve::unfinished));
   add("solve_converged", static_cast<uint32_t>(Solve::converged));
   add("solve_capped", static_cast<uint32_t>(Solve::capped));

@@ -37,6 +37,25 @@ bool is_shader(std::string_view name) {
   return dot != std::string_view::npos && name.substr(dot) != ".ttf";
 }
 
+bool is_known(std::string_view name) {
+  return is_shader(name) && std::ranges::find(embedded_names(), name) != embedded_names().end();
+}
+
+/// A shader that would never be used is a mistake: one of ours in another place, or under a name that none
+/// has. Files that only the user's shaders include may be called as they like.
+void refuse_misplaced(const std::filesystem::path& path) {
+  std::string expected;
+  for (const std::string_view name : embedded_names()) {
+    if (is_shader(name) && std::filesystem::path(name).filename() == path.filename()) expected = name;
+  }
+  const bool program =
+      path.extension() == ".comp" || path.extension() == ".vert" || path.extension() == ".frag";
+  if (expected.empty() && !program) return;
+  throw InputError(fmt::format(
+      "--shader-dir: found {}, expected {}", path.string(),
+      expected.empty() ? "names that are in the folder shaders/" : expected + " under the folder given"));
+}
+
 /// Takes a number off the front of `text`.
 std::optional<uint32_t> take_number(std::string_view& text) {
   uint32_t value = 0;
@@ -86,14 +105,19 @@ ShaderLibrary::ShaderLibrary(std::optional<std::filesystem::path> folder) : fold
     throw InputError(fmt::format("--shader-dir: found {}, which is no folder, expected one with shaders",
                                  folder_->string()));
   }
-  for (const std::string_view name : embedded_names()) {
-    if (is_shader(name) && std::filesystem::exists(*folder_ / name, error)) return;
+  bool any = false;
+  for (const char* part : {"", "lib"}) {
+    for (const auto& entry : std::filesystem::directory_iterator(*folder_ / part, error)) {
+      const std::string name = entry.path().lexically_relative(*folder_).string();
+      any = any || is_known(name);
+      if (!is_known(name)) refuse_misplaced(entry.path());
+    }
   }
-  throw InputError(
-      fmt::format("--shader-dir: found {}, which has no file named like one of the program's shaders, "
-                  "expected some of those "
-                  "in the folder shaders/, as density.comp or lib/kernel.glsl",
-                  folder_->string()));
+  if (any) return;
+  throw InputError(fmt::format(
+      "--shader-dir: found {}, which has no file named like one of the program's shaders, expected "
+      "some of those in the folder shaders/, as density.comp or lib/kernel.glsl",
+      folder_->string()));
 }
 
 ShaderLibrary::File ShaderLibrary::read(std::string_view name) const {
@@ -191,7 +215,8 @@ void link_program(uint32_t program, const std::vector<const ShaderSource*>& sour
     names += (names.empty() ? "" : " and ") + source->name;
     overridden = overridden || source->overridden;
   }
-  const std::string log = log_of(program, glGetProgramiv, glGetProgramInfoLog);
+  std::string log = log_of(program, glGetProgramiv, glGetProgramInfoLog);
+  if (sources.size() == 1) log = with_file_names(log, sources[0]->files);
   refuse_shader(overridden,
                 fmt::format("{} {} not link:\n{}", names, sources.size() > 1 ? "do" : "does", log));
 }

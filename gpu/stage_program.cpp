@@ -21,6 +21,12 @@ Pass each_invocation(uint32_t number, uint64_t count, uint32_t group_size) {
   return pass;
 }
 
+Pass each_chunk(uint32_t number, const Sizes& sizes, uint32_t group_size) {
+  Pass pass = each_invocation(number, sizes.chunks(), group_size);
+  pass.over_chunks = true;
+  return pass;
+}
+
 Pass one_group(uint32_t number, uint64_t count) {
   Pass pass;
   pass.number = number;
@@ -85,13 +91,17 @@ std::vector<Pass> passes_of(Stage stage, const Sizes& sizes, uint32_t group_size
     case Stage::neighbours:
       return {each_invocation(0, n, group_size), each_invocation(1, groups_of(n, slice_width), group_size),
               each_invocation(2, n, group_size)};
-    case Stage::pressure_update:
-      return {each_invocation(0, n, group_size), each_invocation(1, sizes.chunks(), group_size)};
-    case Stage::diagnostics: return {each_invocation(0, sizes.chunks(), group_size)};
+    case Stage::pressure_update: return {each_invocation(0, n, group_size), each_chunk(1, sizes, group_size)};
+    case Stage::diagnostics: return {each_chunk(0, sizes, group_size)};
     case Stage::residual: return fold_passes(sizes.chunks(), 2, 1, group_size);
     case Stage::totals: return fold_passes(sizes.chunks(), total_count, total_count, group_size);
     default: return {each_invocation(0, n, group_size)};
   }
+}
+
+uint64_t most_cells(uint32_t group_size) {
+  const uint64_t runs_per_invocation = (most_rounds - group_size) / 2;  // it walks over them twice
+  return runs_per_invocation * group_size * scan_width - 1;
 }
 
 uint64_t scratch_size(const Sizes& sizes) {

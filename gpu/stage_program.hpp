@@ -15,14 +15,19 @@ namespace sluice::gpu {
 struct Pass {
   uint32_t number = 0;
   Entry entry = Entry::invocation;
-  uint64_t count = 0;      ///< invocations, or what `count` means to groups
-  uint64_t per_group = 0;  ///< of `count`, how much one group takes
+  uint64_t count = 0;        ///< invocations, or what `count` means to groups
+  uint64_t per_group = 0;    ///< of `count`, how much one group takes
+  bool over_chunks = false;  ///< runs over chunks of particles instead of particles
   // Of reductions only: one level of the tree (shaders/lib/fold.glsl).
   uint32_t fold_length = 0, fold_from = 0, fold_to = 0;
   bool fold_first = true;
 };
 
 std::vector<Pass> passes_of(Stage stage, const Sizes& sizes, uint32_t group_size);
+
+/// Cells that grid_scan can sum up: one group scans the sums of runs of cells, in loops that some drivers end
+/// after so many rounds.
+uint64_t most_cells(uint32_t group_size);
 
 /// Elements of scratch memory that the passes of all stages need.
 uint64_t scratch_size(const Sizes& sizes);

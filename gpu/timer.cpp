@@ -31,22 +31,22 @@ struct StageTimer::Queries {
     GLuint begin, end;
   };
   GLuint take() {
-    if (unused.empty()) {
-      unused.resize(64);
-      glGenQueries(64, unused.data());
-    }
     const GLuint query = unused.back();
     unused.pop_back();
     glQueryCounter(query, GL_TIMESTAMP);
     return query;
   }
-  std::deque<Timed> pending;
+  std::vector<Timed> pending;  // oldest first
   std::vector<GLuint> unused;
   GLuint begun = 0;
 };
 
 StageTimer::StageTimer(const Context& context) : context_(context) {
-  if (!context.software()) queries_ = std::make_unique<Queries>();
+  if (context.software()) return;
+  queries_ = std::make_unique<Queries>();
+  queries_->pending.reserve(most_pending + 1);
+  queries_->unused.resize(2 * (most_pending + 1));
+  glGenQueries(static_cast<GLsizei>(queries_->unused.size()), queries_->unused.data());
 }
 
 StageTimer::~StageTimer() {
@@ -78,13 +78,15 @@ void StageTimer::end(Stage stage) {
 
 /// Reads the oldest queries until `keep` are left.
 void StageTimer::collect(size_t keep) {
-  while (queries_ && queries_->pending.size() > keep) {
-    const auto [stage, begin, end] = queries_->pending.front();
-    queries_->pending.pop_front();
+  if (!queries_ || queries_->pending.size() <= keep) return;
+  const auto kept = queries_->pending.end() - static_cast<std::ptrdiff_t>(keep);
+  for (auto timed = queries_->pending.begin(); timed != kept; ++timed) {
+    const auto [stage, begin, end] = *timed;
     seconds_[static_cast<uint32_t>(stage)] += timestamp(end) - timestamp(begin);
     queries_->unused.push_back(begin);
     queries_->unused.push_back(end);
   }
+  queries_->pending.erase(queries_->pending.begin(), kept);
 }
 
 void StageTimer::reset() {

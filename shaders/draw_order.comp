@@ -23,7 +23,7 @@ double length_of(dvec2 a) {
 }
 
 void main() {
-  uint i = (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * 64u + gl_LocalInvocationIndex;
+  uint i = (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * gl_WorkGroupSize.x + gl_LocalInvocationIndex;
   if (i >= count) return;
   position[id[i]] = vec2(dvec2(x[i]) - corner);
   double amount = of_vectors ? length_of(dvec2(quantity[2u * i], quantity[2u * i + 1u])) : double(quantity[i]);

@@ -6,8 +6,6 @@
 #include "lib/grid.glsl"
 #include "lib/kernel.glsl"
 
-// Some drivers end all loops of an invocation silently after 65535 rounds.
-const uint most_candidates = 65000u;
 const uint crowded = 0xffffffffu;
 
 uniform uint list_size;  // entries that the list has room for
@@ -26,13 +24,13 @@ void run(uint i) {
     uint first = load(C, middle + row * params.columns - params.columns - 1u);
     uint last = load(C, middle + row * params.columns - params.columns + 2u);
     candidates += last - first;
-    if (candidates > most_candidates) break;
+    if (candidates > most_rounds) break;
     for (uint j = first; j < last; ++j) {
       precise vec2 x_ij = x_i - load(x, j);
       found += uint(dot_of(x_ij, x_ij) < params.support_squared) & uint(j != i);
     }
   }
-  list[i] = uvec2(0u, candidates > most_candidates ? crowded : found);
+  list[i] = uvec2(0u, candidates > most_rounds ? crowded : found);
 }
 
 #elif PASS == 1

@@ -112,6 +112,22 @@ TEST(CliAgree, SplitTellsWhichSideOfAStageIsWrong) {
   EXPECT_FALSE(run_differs("density")) << "density runs on the CPU";
 }
 
+TEST(CliAgree, SaysThatARunBecameInvalid) {
+  const ProgramResult result =
+      run_program({"agree", "breaking_dam", "--set", "time.dt=0.5", "--steps", "50"});
+  EXPECT_TRUE(has(result.out, "steps, 50 were asked for")) << result.out;
+  EXPECT_TRUE(has(result.out, "the CPU's became invalid in step")) << result.out;
+  EXPECT_TRUE(has(result.out, "the GPU's became invalid in step")) << result.out;
+  const TemporaryFolder shaders;
+  write_changed_shader(shaders, "density.comp", "rho[i] = sum", "rho[i] = sum / (sum - sum)");
+  const ProgramResult alone =
+      run_program({"agree", "breaking_dam", "--steps", "5", "--shader-dir", shaders.path.string()});
+  EXPECT_EQ(alone.code, 1);
+  EXPECT_FALSE(has(alone.out, "the CPU's became invalid")) << alone.out;
+  EXPECT_TRUE(has(alone.out, "the GPU's became invalid in step 1")) << alone.out;
+  EXPECT_TRUE(has(alone.out, "THEY DISAGREE: density and the run")) << alone.out;
+}
+
 TEST(CliAgree, RefusesWhatItCannotDo) {
   const auto refusal = [](const Words& words) {
     const ProgramResult result = run_program(words);

@@ -39,7 +39,7 @@ TEST(CliBackend, TheGpuRunsAndTheSummarySaysSo) {
   const TemporaryFolder folder;
   const ProgramResult result = run({"--backend", "gpu", "--summary", folder / "sum.json"});
   EXPECT_EQ(result.code, 0) << result.err;
-  EXPECT_EQ(result.err, "");
+  EXPECT_EQ(result.err, "backend: gpu, " + gpu::Context().renderer() + " (as asked for)\n");
   const auto summary = read_json(folder / "sum.json");
   EXPECT_EQ(summary["backend"], "gpu");
   EXPECT_EQ(summary["device"], gpu::Context().renderer());
@@ -59,6 +59,17 @@ TEST(CliBackend, TheGpuOfThisNumberRuns) {
   EXPECT_EQ(result.code, 2);
   EXPECT_TRUE(has(result.err, "there is no OpenGL device 99; the devices are\n" + gpu::describe(devices)))
       << result.err;
+}
+
+TEST(CliBackend, OptionsThatHaveNoEffectAreNamed) {
+  const std::string shaders = (std::filesystem::path(SLUICE_SOURCE_DIR) / "shaders").string();
+  const ProgramResult unused = run({"--backend", "cpu", "--shader-dir", shaders, "--gl-device", "0"});
+  EXPECT_EQ(unused.code, 0);
+  EXPECT_TRUE(has(unused.err, "--shader-dir has no effect") && has(unused.err, "--gl-device has no effect"))
+      << unused.err;
+  const ProgramResult used = run({"--backend", "gpu", "--shader-dir", shaders, "--gl-device", "0"});
+  EXPECT_EQ(used.code, 0);
+  EXPECT_FALSE(has(used.err, "has no effect")) << used.err;
 }
 
 TEST(CliBackend, TheGpuDoesNotComputeInDouble) {
@@ -140,7 +151,7 @@ TEST(CliBackend, ShadersThatAreWrongAreBadInput) {
         run({"--backend", "gpu", "--shader-dir", folder.path.string(), "--state", folder / "state.csv"});
     EXPECT_EQ(result.code, 2);
     EXPECT_EQ(result.out, "");
-    EXPECT_TRUE(result.err.starts_with("sluice: --shader-dir: ")) << result.err;
+    EXPECT_TRUE(has(result.err, "sluice: --shader-dir: ")) << result.err;
     EXPECT_FALSE(std::filesystem::exists(folder / "state.csv"));
     return result.err;
   };

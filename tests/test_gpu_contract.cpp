@@ -218,14 +218,30 @@ TEST_F(ShaderFolder, AnEmptyFileOrAFolderInPlaceOfOneIsRefused) {
 TEST_F(ShaderFolder, IsThereAndHasShaders) {
   EXPECT_TRUE(
       has(refusal(), folder.path.string() + ", which has no file named like one of the program's shaders"));
-  put("my_density.comp", "void run(uint i) {}\n");
+  put("my_density.txt", "void run(uint i) {}\n");
   put("DejaVuSans.ttf", "no shader");
   EXPECT_TRUE(has(refusal(), "which has no file named like one of the program's shaders"));
   const auto open = [](const std::filesystem::path& path) {
     return message_of<InputError>([&] { const gpu::ShaderLibrary library(path); });
   };
   EXPECT_TRUE(has(open(folder / "none"), (folder / "none").string() + ", which is no folder"));
-  EXPECT_TRUE(has(open(folder / "my_density.comp"), "which is no folder"));
+  EXPECT_TRUE(has(open(folder / "my_density.txt"), "which is no folder"));
+}
+
+// What would never be used is refused, or its author would take the program's own shader for theirs.
+TEST_F(ShaderFolder, AMisplacedOrMisnamedShaderIsRefused) {
+  put("density.comp", "void run(uint i) {}\n");
+  put("densty.comp", "void run(uint i) {}\n");
+  EXPECT_EQ(refusal(),
+            "--shader-dir: found " + at("densty.comp") + ", expected names that are in the folder shaders/");
+  std::filesystem::remove(folder / "densty.comp");
+  put("kernel.glsl", "float kernel(float r) { return r; }\n");
+  EXPECT_EQ(refusal(),
+            "--shader-dir: found " + at("kernel.glsl") + ", expected lib/kernel.glsl under the folder given");
+  std::filesystem::remove(folder / "kernel.glsl");
+  put("own.glsl", "// for includes\n");
+  put("notes.txt", "");
+  EXPECT_NO_THROW(gpu::ShaderLibrary(folder.path)) << "files of the user's own may be there";
 }
 
 TEST(ShaderMessages, NumbersBecomeFileNames) {

@@ -10,12 +10,15 @@
 #include <utility>
 #include <vector>
 
+#include "core/error.hpp"
 #include "core/larger.hpp"
 #include "core/random.hpp"
 #include "core/sampling.hpp"
 #include "core/simulator.hpp"
 #include "cpu/fold.hpp"
+#include "gpu/backend.hpp"
 #include "gpu/compute_program.hpp"
+#include "gpu/context.hpp"
 #include "gpu/stage_program.hpp"
 #include "tests/support/gpu.hpp"
 #include "tests/support/simulation.hpp"
@@ -202,6 +205,32 @@ TEST(GpuFold, TheResidualIsThatOfTheTreeOfSixtyFours) {
       const float expected = cpu::fold(values.data() + which * chunks, chunks, std::plus<float>());
       expect_same(found[which], expected, chunks, which);
     }
+  }
+}
+
+TEST(GpuBackend, DeletesItsOwnObjectsWhicheverContextIsCurrent) {
+  const gpu::Context first, second;
+  auto doomed = gpu::make_backend(first);
+  const auto kept = gpu::make_backend(second);
+  const Sizes sizes{100, 0, 10, 2000};
+  doomed->allocate({Field::rho, Field::p}, sizes);
+  kept->allocate({Field::rho, Field::p}, sizes);
+  const std::vector<double> values(100, 7.0);
+  kept->upload(Field::rho, values);  // the second context is current now
+  doomed.reset();
+  std::vector<double> found(100);
+  kept->download(Field::rho, found);
+  EXPECT_EQ(found, values);
+}
+
+TEST(GpuBackend, RefusesAGridThatItCannotSortInto) {
+  const gpu::Context context;
+  const auto backend = gpu::make_backend(context, {.group_size = 64});
+  try {
+    backend->allocate({}, {100, 0, 140'000'000, 2000});
+    FAIL() << "nothing was said";
+  } catch (const EnvironmentError& error) {
+    EXPECT_NE(std::string(error.what()).find("a grid of 140000000 cells"), std::string::npos) << error.what();
   }
 }
 

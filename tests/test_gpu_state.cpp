@@ -5,6 +5,7 @@
 
 #include "gpu/context.hpp"
 #include "tests/support/run_program.hpp"
+#include "tests/support/running_program.hpp"
 #include "tests/support/table.hpp"
 
 namespace sluice::test {
@@ -77,6 +78,22 @@ INSTANTIATE_TEST_SUITE_P(Scenes, InvalidRunOf,
                                          Words{"breaking_dam", "--set", "pressure.method=ssph", "--set",
                                                "pressure.ssph.stiffness=1e38"}),
                          [](const auto& row) { return "case" + std::to_string(row.index); });
+
+// A software OpenGL with several threads leaves more to chance: who counts first, which slice stands where.
+TEST(State, DoesNotDependOnTheThreadsOfASoftwareOpenGl) {
+  if (!gpu::Context().software()) GTEST_SKIP() << "hardware has no such threads";
+  const Words scene{"breaking_dam", "--set", "fluid.jitter=0.1"};
+  const std::string expected = run("cpu", scene, "300").state;
+  for (const char* threads : {"1", "2", "4"}) {
+    const TemporaryFolder folder;
+    const std::string file = folder / "state.csv";
+    RunningProgram program({"run", "breaking_dam", "--set", "fluid.jitter=0.1", "--backend", "gpu", "--steps",
+                            "300", "--quiet", "--state", file},
+                           {.environment = {std::string("LP_NUM_THREADS=") + threads}});
+    EXPECT_EQ(program.wait().code, 0);
+    EXPECT_TRUE(read_file(file) == expected) << threads << " threads";
+  }
+}
 
 TEST(State, OfTwoGpuRunsIsTheSameBytes) {
   const Words scene{"breaking_dam", "--set", "fluid.jitter=0.1"};

@@ -42,8 +42,25 @@ std::string first_text(const Difference& difference) {
                      value_text(place, place.reference), value_text(place, place.other));
 }
 
+void print_end(const std::string& whose, const std::optional<Failure>& failure) {
+  if (failure) fmt::print("{} became invalid in step {}: {}\n", whose, failure->step, failure->reason);
+}
+
+/// What it is that disagrees.
+std::string culprits(const Agreement& agreement) {
+  std::string text;
+  for (const StageAgreement& row : agreement.stages) {
+    if (!row.pass) text += fmt::format("{}{}", text.empty() ? "" : ", ", info(row.stage).name);
+  }
+  const RunAgreement& run = agreement.run;
+  const bool run_passes =
+      run.ended_alike() && (agreement.tolerance > 0 || (run.equal && run.iterations_equal));
+  if (!run_passes) text += text.empty() ? "the run" : " and the run";
+  return text;
+}
+
 void print(const Agreement& agreement, const std::string& title, const std::string& reference,
-           const std::string& other) {
+           const std::string& other, uint64_t steps) {
   fmt::print("{}: {} and {}\n\n", title, reference, other);
   fmt::print("{:<24}{:>12}{:>12}{:>10}  {:<5} {}\n", "stage, same input", "largest diff", "in ulp", "equal",
              "", "first difference: CPU and GPU");
@@ -53,7 +70,8 @@ void print(const Agreement& agreement, const std::string& title, const std::stri
                first_text(row.difference));
   }
   const RunAgreement& run = agreement.run;
-  fmt::print("\nrun of {} steps: ", run.steps);
+  fmt::print("\nrun of {} steps{}: ", run.steps,
+             run.steps < steps ? fmt::format(", {} were asked for", steps) : "");
   if (run.equal) {
     fmt::print("equal to the last bit");
   } else {
@@ -61,11 +79,13 @@ void print(const Agreement& agreement, const std::string& title, const std::stri
                run.max_dx_over_h);
   }
   fmt::print("; iterations {}\n", run.iterations_equal ? "equal" : "differ");
+  print_end("the CPU's", run.reference_failure);
+  print_end("the GPU's", run.other_failure);
   fmt::print("tolerance: {}\n{}\n",
              agreement.tolerance > 0
                  ? fmt::format("{:g} ulp of a field's largest value per stage", agreement.tolerance)
                  : "none, every bit counts",
-             agreement.pass ? "they agree" : "THEY DISAGREE");
+             agreement.pass ? "they agree" : "THEY DISAGREE: " + culprits(agreement));
 }
 
 nlohmann::ordered_json number(double value) {
@@ -104,7 +124,7 @@ int agree_command(const AgreeOptions& options) {
   const Scene scene = load_scene(options.scene, options.overrides);
   const Plan plan = make_plan(needs_of(scene));
   const Stage split = options.split ? stage_named(*options.split, plan) : Stage::count;
-  require_memory(scene, Precision::double_, available_memory());  // two runs in float beside each other
+  require_memory(scene, Precision::single_, available_memory(), options.split ? 6 : 5);
   const Samples samples = sample(scene);
   MachineOptions gpu_machine = options.machine;
   gpu_machine.backend = BackendChoice::gpu;
@@ -124,7 +144,8 @@ int agree_command(const AgreeOptions& options) {
 
   const std::string device = machine.backend().device();
   print(agreement, scene.title, fmt::format("cpu, {}", reference->device()),
-        options.split ? fmt::format("cpu up to {}, then gpu, {}", *options.split, device) : "gpu, " + device);
+        options.split ? fmt::format("cpu up to {}, then gpu, {}", *options.split, device) : "gpu, " + device,
+        options.steps);
   if (summary) {
     summary->write(to_json(agreement, scene.name, device).dump(2) + '\n');
     summary->commit();

@@ -25,6 +25,8 @@ namespace sluice {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+/// What a software OpenGL takes, in multiples of the fields.
+constexpr double gpu_memory = 1.5;
 constexpr double most_frames = 1e6;  // frame names have six digits
 
 volatile std::sig_atomic_t stop_requested = 0;
@@ -163,11 +165,13 @@ int run_command(const RunOptions& options) {
   const uint64_t steps = step_count(options, scene);
   limit_frames(options, scene, steps);
   refuse_clashes(options, scene);
-  require_memory(scene, options.machine.precision, available_memory());
+  const bool asks_for_gpu = options.machine.backend == BackendChoice::gpu;
+  require_memory(scene, options.machine.precision, available_memory(), asks_for_gpu ? gpu_memory : 1);
   const Samples samples = sample(scene);
   Machine machine(options.machine, samples.fluid.size());
-  if (options.machine.backend == BackendChoice::automatic && !options.quiet)
+  if (options.machine.backend != BackendChoice::cpu && !options.quiet)
     fmt::print(stderr, "backend: {}\n", machine.choice());
+  if (!machine.gpu_backend() && !options.frames) warn_of_unused_opengl(options.machine, options.quiet);
   warn_of_viscous_limit(scene, options.quiet);
 
   Simulator simulator(scene, samples, machine.backend());  // may refuse the scene: then nothing is written

@@ -67,7 +67,7 @@ int dispatch(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);
     return fail(bad_input,
-                fmt::format("{}\nsluice: run `sluice --help` or `sluice run --help`", error.what()));
+                fmt::format("{}\nsluice: run `sluice --help` or `sluice COMMAND --help`", error.what()));
   }
   if (app.get_subcommands().empty()) {
     return fail(bad_input,

@@ -53,7 +53,8 @@ void add_size(const std::string& text, RunOptions& options) {
 CLI::Option* add_path(CLI::App& app, const std::string& name, std::optional<std::filesystem::path>& path,
                       const std::string& help) {
   const auto read = [name, &path](const std::string& text) {
-    if (text.empty()) throw InputError(fmt::format("{}: found an empty name, expected where to write", name));
+    if (text.empty())
+      throw InputError(fmt::format("{}: found an empty name, expected a file or folder", name));
     path = text;
   };
   return app.add_option_function<std::string>(name, read, help);

@@ -11,6 +11,12 @@ void warn(bool quiet, const std::string& message) {
   if (!quiet) fmt::print(stderr, "sluice: warning: {}\n", message);
 }
 
+void warn_of_unused_opengl(const MachineOptions& options, bool quiet) {
+  const std::string reason = "has no effect, since nothing runs on OpenGL; use --backend gpu or --frames";
+  if (options.shader_dir) warn(quiet, "--shader-dir " + reason);
+  if (options.gl_device) warn(quiet, "--gl-device " + reason);
+}
+
 void warn_of_viscous_limit(const Scene& scene, bool quiet) {
   if (scene.viscosity_model != ViscosityModel::laplacian) return;
   const double number = scene.viscosity * scene.dt / (scene.spacing * scene.spacing);

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "apps/sluice/options.hpp"
 #include "core/scene.hpp"
 #include "core/summary.hpp"
 
@@ -10,6 +11,9 @@ namespace sluice {
 
 /// One line on standard error, unless `quiet`.
 void warn(bool quiet, const std::string& message);
+
+/// Options for OpenGL in a run that neither computes nor draws with it.
+void warn_of_unused_opengl(const MachineOptions& options, bool quiet);
 
 /// What is known to go wrong before the first step: an explicit viscosity beyond its limit.
 void warn_of_viscous_limit(const Scene& scene, bool quiet);
