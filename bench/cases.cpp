@@ -101,8 +101,7 @@ void Case::preserving(const std::vector<Stage>& stages, const std::function<void
     const FieldInfo& facts = info(field);
     bool written = false;
     for (const Stage stage : stages) written = written || writes_of(stage, plan().needs).has(field);
-    if (!written || facts.length != Length::fluid || facts.type == Type::uint || facts.type == Type::uvec2)
-      continue;
+    if (!written || facts.length != Length::fluid || is_integer(field)) continue;
     const size_t components = element_bytes(facts.type, sizeof(double)) / sizeof(double);
     saved.push_back({field, std::vector<double>(n() * components)});
     backend_->download(field, saved.back().values);

@@ -26,7 +26,11 @@ struct RunAgreement {
   /// Why the reference's run, or the other, became invalid in the last of these steps.
   std::optional<Failure> reference_failure, other_failure;
 
-  bool ended_alike() const { return reference_failure.has_value() == other_failure.has_value(); }
+  /// Both have to end alike; and be equal, unless there is a tolerance.
+  bool passes(double tolerance) const {
+    const bool ended_alike = reference_failure.has_value() == other_failure.has_value();
+    return ended_alike && (tolerance > 0 || (equal && iterations_equal));
+  }
 };
 
 struct Agreement {
@@ -36,6 +40,9 @@ struct Agreement {
   bool pass = false;
 };
 
+/// Whether two states are the same to the last bit.
+bool same_bits(const Snapshot& a, const Snapshot& b);
+
 /// The backends that are held against each other.
 struct Contestants {
   Backend& reference;    ///< runs alone, and compares its stages with
@@ -44,8 +51,8 @@ struct Contestants {
 };
 
 /// Runs `steps` >= 1 steps. Stages are compared in the first step, in the middle and in the last. With
-/// tolerance 0 the runs have to be equal too; otherwise only stages decide, since after an impact the
-/// smallest difference grows without bound.
+/// tolerance 0 the runs have to be equal too; otherwise they only have to end alike, since after an impact
+/// the smallest difference grows without bound.
 Agreement agree(const Scene& scene, const Samples& samples, const Contestants& contestants, uint64_t steps,
                 double tolerance);
 

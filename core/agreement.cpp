@@ -7,15 +7,13 @@
 namespace sluice {
 namespace {
 
-bool is_uint(Field field) { return info(field).type == Type::uint || info(field).type == Type::uvec2; }
-
 constexpr FieldSet list_fields{Field::list, Field::index, Field::gradient};
 
 /// As many values as `field` has, none of which a stage could have meant.
 FieldValues poison(Field field, const Sizes& sizes) {
   const uint64_t count = sizes.of(info(field).length) * element_bytes(info(field).type, 4) / 4;
   FieldValues values;
-  if (is_uint(field))
+  if (is_integer(field))
     values.integers.assign(count, 0xdeadbeef);
   else
     values.reals.assign(count, std::numeric_limits<double>::quiet_NaN());
@@ -50,7 +48,7 @@ void for_each_field(FieldSet set, F&& f) {
 
 FieldValues values_of(const Backend& backend, Field field, const Sizes& sizes) {
   FieldValues values = poison(field, sizes);
-  if (is_uint(field))
+  if (is_integer(field))
     backend.download(field, values.integers);
   else
     backend.download(field, values.reals);
@@ -58,7 +56,7 @@ FieldValues values_of(const Backend& backend, Field field, const Sizes& sizes) {
 }
 
 void put_values(Backend& backend, Field field, const FieldValues& values) {
-  if (is_uint(field))
+  if (is_integer(field))
     backend.upload(field, values.integers);
   else
     backend.upload(field, values.reals);
@@ -134,7 +132,7 @@ Difference ComparingBackend::compare_output(Stage stage) const {
       sort_within_cells(b.integers, other_, sizes_);
     }
     Difference found =
-        is_uint(field) ? compare(a.integers, b.integers, field) : compare(a.reals, b.reals, field);
+        is_integer(field) ? compare(a.integers, b.integers, field) : compare(a.reals, b.reals, field);
     if (!writes.has(field) && found.equal == found.values) return;  // input counts only when it was changed
     result.add(found);
   });

@@ -112,6 +112,11 @@ inline constexpr std::array<FieldInfo, field_count> field_table = {{
 
 constexpr const FieldInfo& info(Field field) { return field_table[static_cast<uint32_t>(field)]; }
 
+/// Whether the field's elements are made of integers, and not of reals.
+constexpr bool is_integer(Field field) {
+  return info(field).type == Type::uint || info(field).type == Type::uvec2;
+}
+
 /// Bytes of one element with reals of `real_bytes` bytes.
 constexpr uint32_t element_bytes(Type type, uint32_t real_bytes) {
   switch (type) {

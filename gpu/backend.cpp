@@ -24,10 +24,8 @@ constexpr uint32_t guard_word = 0xffffffff;  // NaN as a float
 /// Where in the buffer of sweep groups those of passes over chunks stand; those over particles come first.
 constexpr uint32_t groups_of_chunks = 3 * sizeof(uint32_t);
 
-bool is_uint(Field field) { return info(field).type == Type::uint || info(field).type == Type::uvec2; }
-
 /// One texel per component.
-GLenum texel_format(Field field) { return is_uint(field) ? GL_R32UI : GL_R32F; }
+GLenum texel_format(Field field) { return is_integer(field) ? GL_R32UI : GL_R32F; }
 
 uint32_t limit(GLenum name, GLuint dimension) {
   GLint value = 0;
@@ -128,25 +126,25 @@ class Implementation final : public GpuBackend {
   }
 
   void upload(Field field, std::span<const double> values) override {
-    if (is_uint(field)) throw std::logic_error("reals for a field of integers");
+    if (is_integer(field)) throw std::logic_error("reals for a field of integers");
     staging_.assign(values.begin(), values.end());
     write(field, staging_.data(), staging_.size());
   }
 
   void upload(Field field, std::span<const uint32_t> values) override {
-    if (!is_uint(field)) throw std::logic_error("integers for a field of reals");
+    if (!is_integer(field)) throw std::logic_error("integers for a field of reals");
     write(field, values.data(), values.size());
   }
 
   void download(Field field, std::span<double> values) const override {
-    if (is_uint(field)) throw std::logic_error("reals from a field of integers");
+    if (is_integer(field)) throw std::logic_error("reals from a field of integers");
     staging_.resize(values.size());
     read(field, staging_.data(), staging_.size());
     std::copy(staging_.begin(), staging_.end(), values.begin());
   }
 
   void download(Field field, std::span<uint32_t> values) const override {
-    if (!is_uint(field)) throw std::logic_error("integers from a field of reals");
+    if (!is_integer(field)) throw std::logic_error("integers from a field of reals");
     read(field, values.data(), values.size());
   }
 

@@ -83,7 +83,7 @@ std::string loader(Field field, Loads loads) {
     const std::string at = components == 1 ? "i" : fmt::format("{}u * (i) + {}u", components, k);
     value += fmt::format("{}imageLoad({}, int({})).x", k == 0 ? "" : ", ", texels, at);
   }
-  const bool real = info(field).type != Type::uint && info(field).type != Type::uvec2;
+  const bool real = !is_integer(field);
   return fmt::format("layout({}) uniform readonly restrict {} {};\n#define load_{}(i) {}({})\n",
                      real ? "r32f" : "r32ui", real ? "imageBuffer" : "uimageBuffer", texels, name,
                      glsl_type(info(field).type), value);

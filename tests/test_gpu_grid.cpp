@@ -27,16 +27,6 @@ std::vector<uint32_t> shuffled_ids(uint32_t n, uint64_t seed) {
   return ids;
 }
 
-std::vector<Vec2> random_positions(uint32_t n, double min, double max, uint64_t seed) {
-  Random random(seed);
-  std::vector<Vec2> positions;
-  for (uint32_t i = 0; i < n; ++i) {
-    const double x = random.uniform(), y = random.uniform();
-    positions.push_back(min + Vec2(x, y) * (max - min));
-  }
-  return positions;
-}
-
 /// The cells of these positions, as cell_of gives them in float.
 std::vector<uint32_t> cells_of(const Params& params, const std::vector<Vec2>& positions) {
   std::vector<uint32_t> cells;
@@ -111,12 +101,12 @@ INSTANTIATE_TEST_SUITE_P(GroupSizes, PrefixSum, testing::Values(64, 128, 256));
 TEST(GpuGrid, EveryParticleStandsOnceInItsCellById) {
   for (const uint32_t n : {1u, 2u, 63u, 64u, 65u, 1000u, 4321u}) {
     SCOPED_TRACE(n);
-    expect_sorted(open_scene(10), random_positions(n, 0, 20, n), shuffled_ids(n, n + 1));
+    expect_sorted(open_scene(10), random_positions(n, Vec2(0), Vec2(20), n), shuffled_ids(n, n + 1));
   }
 }
 
 TEST(GpuGrid, AllParticlesInOneCell) {
-  expect_sorted(open_scene(10), random_positions(1500, 4.1, 4.3, 1), shuffled_ids(1500, 2));
+  expect_sorted(open_scene(10), random_positions(1500, Vec2(4.1), Vec2(4.3), 1), shuffled_ids(1500, 2));
   expect_sorted(open_scene(1), std::vector<Vec2>(300, Vec2(1, 1)), shuffled_ids(300, 3));
 }
 

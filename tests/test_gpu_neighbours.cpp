@@ -18,24 +18,6 @@
 namespace sluice::test {
 namespace {
 
-/// Candidates around a particle that a shader looks through (shaders/neighbours.comp).
-
-std::vector<Vec2> random_positions(uint32_t n, Vec2 min, Vec2 max, uint64_t seed) {
-  Random random(seed);
-  std::vector<Vec2> positions;
-  for (uint32_t i = 0; i < n; ++i) {
-    const double x = random.uniform(), y = random.uniform();
-    positions.push_back(min + Vec2(x, y) * (max - min));
-  }
-  return positions;
-}
-
-uint64_t total(const std::vector<std::set<uint32_t>>& sets) {
-  uint64_t sum = 0;
-  for (const auto& set : sets) sum += set.size();
-  return sum;
-}
-
 /// Entries that these lists take: each slice as many as its longest, times its particles.
 uint32_t needed_by(const std::vector<std::vector<uint32_t>>& lists) {
   size_t sum = 0;

@@ -9,22 +9,6 @@
 namespace sluice::test {
 namespace {
 
-std::vector<Vec2> random_positions(uint32_t n, Vec2 min, Vec2 max, uint64_t seed) {
-  Random random(seed);
-  std::vector<Vec2> positions;
-  for (uint32_t i = 0; i < n; ++i) {
-    const double x = random.uniform(), y = random.uniform();
-    positions.push_back(min + Vec2(x, y) * (max - min));
-  }
-  return positions;
-}
-
-uint64_t total(const std::vector<std::set<uint32_t>>& sets) {
-  uint64_t sum = 0;
-  for (const auto& set : sets) sum += set.size();
-  return sum;
-}
-
 template <class Real>
 void expect_same_neighbours(const Scene& scene, const std::vector<Vec2>& positions, uint64_t at_least) {
   const auto expected = all_pairs<Real>(scene, positions);

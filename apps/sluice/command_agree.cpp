@@ -30,8 +30,7 @@ Stage stage_named(const std::string& name, const Plan& plan) {
 }
 
 std::string value_text(const Difference::Place& place, double value) {
-  const bool whole = info(place.field).type == Type::uint || info(place.field).type == Type::uvec2;
-  return whole ? fmt::format("{:.0f}", value) : fmt::format("{:.9g}", value);
+  return is_integer(place.field) ? fmt::format("{:.0f}", value) : fmt::format("{:.9g}", value);
 }
 
 std::string first_text(const Difference& difference) {
@@ -52,10 +51,7 @@ std::string culprits(const Agreement& agreement) {
   for (const StageAgreement& row : agreement.stages) {
     if (!row.pass) text += fmt::format("{}{}", text.empty() ? "" : ", ", info(row.stage).name);
   }
-  const RunAgreement& run = agreement.run;
-  const bool run_passes =
-      run.ended_alike() && (agreement.tolerance > 0 || (run.equal && run.iterations_equal));
-  if (!run_passes) text += text.empty() ? "the run" : " and the run";
+  if (!agreement.run.passes(agreement.tolerance)) text += text.empty() ? "the run" : " and the run";
   return text;
 }
 
@@ -88,10 +84,7 @@ void print(const Agreement& agreement, const std::string& title, const std::stri
              agreement.pass ? "they agree" : "THEY DISAGREE: " + culprits(agreement));
 }
 
-nlohmann::ordered_json number(double value) {
-  return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
-}
-
+/// Numbers that are not finite are written as null.
 nlohmann::ordered_json to_json(const Agreement& agreement, const std::string& scene,
                                const std::string& device) {
   nlohmann::ordered_json json;
@@ -102,8 +95,8 @@ nlohmann::ordered_json to_json(const Agreement& agreement, const std::string& sc
   json["stages"] = nlohmann::ordered_json::array();
   for (const StageAgreement& row : agreement.stages) {
     json["stages"].push_back({{"name", info(row.stage).name},
-                              {"max_abs", number(row.difference.max_abs)},
-                              {"max_ulp", number(row.difference.max_ulp)},
+                              {"max_abs", row.difference.max_abs},
+                              {"max_ulp", row.difference.max_ulp},
                               {"equal_share", row.difference.equal_share()},
                               {"tolerance", agreement.tolerance},
                               {"pass", row.pass}});
@@ -112,7 +105,7 @@ nlohmann::ordered_json to_json(const Agreement& agreement, const std::string& sc
   json["run"]["equal"] = run.equal;
   json["run"]["first_difference_step"] =
       run.equal ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(run.first_difference_step);
-  json["run"]["max_dx_over_h"] = number(run.max_dx_over_h);
+  json["run"]["max_dx_over_h"] = run.max_dx_over_h;
   json["run"]["iterations_equal"] = run.iterations_equal;
   json["pass"] = agreement.pass;
   return json;

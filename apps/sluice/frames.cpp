@@ -96,7 +96,9 @@ struct FrameOutput::Drawing {
 
   Image draw_on_device(Frame frame, double unit) {
     on_device->collect(*backend, samples.fluid.size(), scene.colour, unit);
-    std::tie(frame.low, frame.high) = colour_range(scene, samples, on_device->largest());
+    // Only pressure without gravity has a range of its own in every frame; asking waits for the device.
+    const bool asks = scene.colour == Colour::pressure && scene.gravity == Vec2(0);
+    std::tie(frame.low, frame.high) = colour_range(scene, samples, asks ? on_device->largest() : 0);
     return renderer.draw(frame, &on_device->cloud());
   }
 };

@@ -10,6 +10,12 @@
 
 namespace sluice::test {
 
+/// `n` positions, uniform in a box.
+std::vector<Vec2> random_positions(uint32_t n, Vec2 min, Vec2 max, uint64_t seed);
+
+/// Neighbours of all particles together.
+uint64_t total(const std::vector<std::set<uint32_t>>& sets);
+
 /// A square domain of `cells` support lengths with spacing 1 and H = smoothing, holding no shapes.
 Scene open_scene(double cells, double smoothing = 1);
 

@@ -23,11 +23,6 @@ double difference(const std::vector<T>& a, const std::vector<T>& b, Size size) {
   return largest > 0 ? apart / largest : infinity;
 }
 
-template <class T>
-bool equal_bytes(const std::vector<T>& a, const std::vector<T>& b) {
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0;
-}
-
 }  // namespace
 
 double relative_difference(const std::vector<double>& a, const std::vector<double>& b) {
@@ -36,11 +31,6 @@ double relative_difference(const std::vector<double>& a, const std::vector<doubl
 
 double relative_difference(const std::vector<Vec2>& a, const std::vector<Vec2>& b) {
   return difference(a, b, [](Vec2 value) { return glm::length(value); });
-}
-
-bool same_bits(const Snapshot& a, const Snapshot& b) {
-  return equal_bytes(a.x, b.x) && equal_bytes(a.v, b.v) && equal_bytes(a.density, b.density) &&
-         equal_bytes(a.pressure, b.pressure);
 }
 
 }  // namespace sluice::test

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/agree.hpp"
 #include "core/sampling.hpp"
 #include "core/scene_file.hpp"
 #include "core/simulator.hpp"
@@ -44,8 +45,5 @@ inline std::vector<std::string> all_scenes() { return shipped_scenes(); }
 /// Largest |a - b| relative to the largest |b|; infinite when sizes differ or something is not finite.
 double relative_difference(const std::vector<double>& a, const std::vector<double>& b);
 double relative_difference(const std::vector<Vec2>& a, const std::vector<Vec2>& b);
-
-/// Whether two snapshots are the same to the last bit.
-bool same_bits(const Snapshot& a, const Snapshot& b);
 
 }  // namespace sluice::test
