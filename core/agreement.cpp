@@ -100,9 +100,10 @@ void ComparingBackend::configure(const Params& params, const Needs& needs) {
 }
 
 void ComparingBackend::run(Stage stage) {
-  if (comparing_) give_input(stage);
+  const bool compare = comparing_ || runs_once(stage);
+  if (compare) give_input(stage);
   active_->run(stage);
-  if (!comparing_) return;
+  if (!compare) return;
   other_.run(stage);
   found_[static_cast<uint32_t>(stage)].add(compare_output(stage));
 }
@@ -140,6 +141,7 @@ Difference ComparingBackend::compare_output(Stage stage) const {
 }
 
 void SplitBackend::allocate(FieldSet fields, const Sizes& sizes) {
+  active_ = &before_;
   fields_ = fields;
   sizes_ = sizes;
   before_.allocate(fields, sizes);
@@ -160,7 +162,8 @@ void SplitBackend::configure(const Params& params, const Needs& needs) {
 /// A step begins with the grid, whatever its plan, or again with the neighbours when their list was too
 /// short.
 void SplitBackend::run(Stage stage) {
-  if (stage == Stage::grid_count || (stage == Stage::neighbours && split_ >= stage)) hand_over(before_);
+  const bool begins = stage == Stage::grid_count || stage == Stage::neighbours;
+  if (begins && split_ >= stage) hand_over(before_);
   active_->run(stage);
   if (stage == split_) hand_over(after_);
 }

@@ -71,10 +71,11 @@ inline constexpr uint32_t first_max_total = static_cast<uint32_t>(Total::max_com
   FIELD(list_needed, uint, one, "1", "entries the neighbour list needs; more than there are: it is not complete")         \
   FIELD(C_boundary, uint, cells, "1", "first boundary sample of each cell, and their number at the end")                  \
   FIELD(x_boundary, vec2, boundary, "length", "position of each boundary sample, sorted by cell")                         \
-  FIELD(wall_density, real, fluid, "density", "m sum_b W_ib")                                                             \
-  FIELD(wall_gradient, vec2, fluid, "density/length", "B_i = m sum_b dW_ib")                                              \
+  FIELD(Psi, real, boundary, "mass", "pseudo-mass of each boundary sample")                                               \
+  FIELD(wall_density, real, fluid, "density", "sum_b m_b W_ib, with m_b the mass of a sample: m or Psi_b")                \
+  FIELD(wall_gradient, vec2, fluid, "density/length", "B_i = sum_b m_b dW_ib")                                            \
   FIELD(wall_gradient_squares, real, fluid, "density^2/length^2", "sum_b |m dW_ib|^2")                                    \
-  FIELD(wall_viscosity, vec4, fluid, "density/length^2", "m sum_b dW_ib x_ib^T / (x_ib.x_ib + 0.01 H^2), by rows")        \
+  FIELD(wall_viscosity, vec4, fluid, "density/length^2", "sum_b m_b dW_ib x_ib^T / (x_ib.x_ib + 0.01 H^2), by rows")      \
   FIELD(a_n, vec2, fluid, "length/time^2", "non-pressure acceleration")                                                   \
   FIELD(v_star, vec2, fluid, "length/time", "velocity without pressure, v*")                                              \
   FIELD(A_ii, real, fluid, "density/pressure", "diagonal of the pressure system")                                         \

@@ -40,11 +40,17 @@ Params make_params(const Scene& scene, uint32_t n) {
   p.gradient_factor = 5 / (14 * std::numbers::pi * H * H * H);
   p.nu = scene.viscosity_model == ViscosityModel::laplacian ? scene.viscosity : 0;
   p.viscosity_floor = 0.01 * H * H;
+  p.xsph = scene.viscosity_model == ViscosityModel::xsph ? scene.viscosity * p.m / scene.dt : 0;
   p.k = scene.ssph ? scene.ssph->stiffness : 0;
+  if (scene.wcsph) {
+    p.gamma = scene.wcsph->gamma;
+    p.tait_factor = scene.wcsph->kappa * p.rho0 / p.gamma;
+  }
   p.omega = scene.iisph.omega;
   p.warm_start = scene.iisph.warm_start;
   p.source_weight = scene.iisph.source_weight;
   p.tolerance = scene.iisph.tolerance;
+  p.wall_mass = scene.boundary_model == BoundaryModel::akinci ? 1 : p.m;
   p.wall_pressure = scene.boundary_model == BoundaryModel::mirror ? 1 / (p.rho0 * p.rho0) : 0;
   p.central_force = scene.central_force;
   p.largest_move = 0.1 * p.h;

@@ -22,12 +22,16 @@ struct Scene;
   REAL(gradient_factor, "5 / (14 pi H^3)")                                                                  \
   REAL(nu, "coefficient of the Laplacian viscosity")                                                        \
   REAL(viscosity_floor, "0.01 H^2, keeps the viscosity's denominator from vanishing")                       \
-  REAL(k, "stiffness of the state equation")                                                                \
+  REAL(xsph, "alpha m / dt, with alpha the coefficient of the XSPH viscosity")                              \
+  REAL(k, "stiffness of the SSPH state equation")                                                           \
+  REAL(tait_factor, "kappa rho0 / gamma of Tait's equation")                                                \
+  REAL(gamma, "exponent of Tait's equation")                                                                \
   REAL(omega, "relaxation of an IISPH sweep")                                                               \
   REAL(warm_start, "share of the last step's pressure IISPH starts from")                                   \
   REAL(source_weight, "weight of rho0 - rho in the IISPH source")                                           \
   REAL(tolerance, "bound on the mean density error at which IISPH stops")                                   \
-  REAL(wall_pressure, "1 / rho0^2 where a boundary sample mirrors the pressure")                            \
+  REAL(wall_mass, "m where all boundary samples have it, 1 where each has a pseudo-mass of its own")        \
+  REAL(wall_pressure, "1 / rho0^2 where a boundary sample mirrors the pressure, else 0")                    \
   REAL(central_force, "c in a = -c (x - centre)")                                                           \
   REAL(largest_move, "0.1 h, cap of one relaxation move")                                                   \
   REAL(inverse_cell, "1 / edge of a grid cell")                                                             \

@@ -17,9 +17,11 @@ std::vector<Stage> needed(const Needs& needs, std::initializer_list<Stage> stage
 Plan plan_with(const Needs& needs, std::initializer_list<Stage> finish) {
   Plan plan;
   plan.needs = needs;
-  plan.search = needed(
-      needs, {grid_count, grid_scan, grid_scatter, grid_order, reorder, neighbours, boundary, density});
-  plan.forces = needed(needs, {external, viscosity, predict, state_equation, diagonal, source, warm_start});
+  plan.once = needed(needs, {pseudo_mass});
+  plan.search = needed(needs, {grid_count, grid_scan, grid_scatter, grid_order, reorder, neighbours, boundary,
+                               density, clamp_density});
+  plan.forces =
+      needed(needs, {external, viscosity, xsph, predict, state_equation, tait, diagonal, source, warm_start});
   if (needs.linear_system) plan.sweep = {pressure_acceleration, pressure_operator, pressure_update, residual};
   plan.finish = needed(needs, finish);
   return plan;
@@ -35,8 +37,9 @@ FieldSet Plan::fields() const {
 }
 
 std::vector<Stage> Plan::stages() const {
-  std::vector<Stage> all = search;
-  for (const auto* part : {&forces, &sweep, &finish}) all.insert(all.end(), part->begin(), part->end());
+  std::vector<Stage> all = once;
+  for (const auto* part : {&search, &forces, &sweep, &finish})
+    all.insert(all.end(), part->begin(), part->end());
   return all;
 }
 
@@ -47,7 +50,9 @@ Plan make_plan(const Needs& needs) {
 Plan make_relax_plan(const Needs& needs) {
   Needs relaxing = needs;
   relaxing.laplacian = false;
+  relaxing.xsph = false;
   relaxing.state_equation = false;
+  relaxing.tait = false;
   relaxing.linear_system = true;
   relaxing.relaxation = true;
   return plan_with(relaxing, {pressure_acceleration, relax});

@@ -8,11 +8,12 @@
 
 namespace sluice {
 
-/// One step: search and density, forces up to the pressure system, the sweep that is repeated until the
-/// pressure has converged (empty when pressure comes from a state equation), and what follows.
+/// What is computed once, before the first step; and one step: search and density, forces up to the pressure
+/// system, the sweep that is repeated until the pressure has converged (empty when pressure comes from a
+/// state equation), and what follows.
 struct Plan {
   Needs needs;
-  std::vector<Stage> search, forces, sweep, finish;
+  std::vector<Stage> once, search, forces, sweep, finish;
 
   /// All fields any planned stage reads or writes: what has to be allocated.
   FieldSet fields() const;

@@ -13,10 +13,10 @@ constexpr KeyRange not_negative{.low = 0};
 constexpr KeyRange at_least(double low) { return {.low = low}; }
 constexpr KeyRange from_to(double low, double high) { return {.low = low, .high = high}; }
 
-constexpr std::array<KeyChoice, 2> boundary_models{{{"mirror"}, {"akinci", false}}};
+constexpr std::array<KeyChoice, 2> boundary_models{{{"mirror"}, {"akinci"}}};
 constexpr std::array<KeyChoice, 4> container_sides{{{"left"}, {"right"}, {"bottom"}, {"top"}}};
-constexpr std::array<KeyChoice, 2> viscosity_models{{{"laplacian"}, {"xsph", false}}};
-constexpr std::array<KeyChoice, 3> pressure_methods{{{"iisph"}, {"ssph"}, {"wcsph", false}}};
+constexpr std::array<KeyChoice, 2> viscosity_models{{{"laplacian"}, {"xsph"}}};
+constexpr std::array<KeyChoice, 3> pressure_methods{{{"iisph"}, {"ssph"}, {"wcsph"}}};
 constexpr std::array<KeyChoice, 2> iisph_solvers{{{"jacobi"}, {"barzilai-borwein", false}}};
 constexpr std::array<KeyChoice, 2> iisph_walls{{{"thesis"}, {"symmetric", false}}};
 constexpr std::array<KeyChoice, 2> iisph_stops{{{"density"}, {"residual", false}}};
@@ -165,7 +165,7 @@ constexpr std::array keys{
              "velocities smoothed over the neighbours, fluid only [WCSPH page].",
              viscosity_models},
     SceneKey{"viscosity.coefficient", number, "length²/time", required_key, not_negative,
-             "nu of \"laplacian\"; alpha of \"xsph\", a pure number."},
+             "nu of \"laplacian\"; alpha of \"xsph\", a pure number, from 0 to about 1."},
 
     SceneKey{"pressure.method", choice, "", required_key, any, "The method of this run.", pressure_methods},
 
@@ -200,7 +200,7 @@ constexpr std::array keys{
     SceneKey{"pressure.ssph.dt", number, "time", "", positive, "Time step while this method is chosen."},
 
     SceneKey{"pressure.wcsph.kappa", number, "length²/time²", required_key, positive, "The stiffness kappa."},
-    SceneKey{"pressure.wcsph.gamma", number, "", "7.0", at_least(1), "The exponent gamma."},
+    SceneKey{"pressure.wcsph.gamma", number, "", "7.0", from_to(1, 1e6), "The exponent gamma."},
     SceneKey{"pressure.wcsph.dt", number, "time", "", positive, "Time step while this method is chosen."},
 
     SceneKey{"time.dt", number, "time", "", positive, "The time step."},

@@ -76,8 +76,7 @@ void Simulator::start(const std::vector<Vec2>& x) {
   for (size_t i = 0; i < x.size(); ++i) {
     v[i] = start_velocity(scene_.fluid[samples_.fluid_shape[i]], scene_.spacing, x[i]);
   }
-  allocate(plan_);
-  backend_.configure(params_, plan_.needs);
+  set_up(plan_, params_);
   upload_state(x, v);
   refuse_beyond_range();
   begin_step();
@@ -105,8 +104,7 @@ void Simulator::refuse_beyond_range() const {
 
 std::vector<Vec2> Simulator::relaxed_positions(const std::vector<Vec2>& x) {
   const Plan plan = make_relax_plan(plan_.needs);
-  allocate(plan);
-  backend_.configure(make_relax_params(params_), plan.needs);
+  set_up(plan, make_relax_params(params_));
   upload_state(x, std::vector<Vec2>(x.size()));
   for (uint32_t round = 0; round < scene_.relax; ++round) {
     StepReport report;
@@ -122,12 +120,15 @@ std::vector<Vec2> Simulator::relaxed_positions(const std::vector<Vec2>& x) {
   return relaxed;
 }
 
-void Simulator::allocate(const Plan& plan) {
+void Simulator::set_up(const Plan& plan, const Params& params) {
   backend_.allocate(plan.fields(), sizes_);
-  if (!plan.needs.boundary) return;
-  const SortedBoundary boundary = sort_boundary(samples_.boundary, params_, sizes_.cells);
-  backend_.upload(Field::C_boundary, boundary.C);
-  backend_.upload(Field::x_boundary, flat(boundary.x));
+  backend_.configure(params, plan.needs);
+  if (plan.needs.boundary) {
+    const SortedBoundary boundary = sort_boundary(samples_.boundary, params, sizes_.cells);
+    backend_.upload(Field::C_boundary, boundary.C);
+    backend_.upload(Field::x_boundary, flat(boundary.x));
+  }
+  run(plan.once);
 }
 
 /// Fields are zero after allocation, pressure and density too.

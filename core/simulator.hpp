@@ -38,7 +38,7 @@ class Simulator {
   void refuse_beyond_range() const;
   std::vector<Vec2> relaxed_positions(const std::vector<Vec2>& x);
   void upload_state(const std::vector<Vec2>& x, const std::vector<Vec2>& v);
-  void allocate(const Plan& plan);
+  void set_up(const Plan& plan, const Params& params);
   void begin_step();
   void run(std::span<const Stage> stages);
   void run_step(const Plan& plan, StepReport& report);

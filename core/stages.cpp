@@ -8,7 +8,10 @@ namespace {
 
 constexpr bool always(const Needs&) { return true; }
 constexpr bool boundary(const Needs& needs) { return needs.boundary; }
+constexpr bool pseudo_mass(const Needs& needs) { return needs.pseudo_mass; }
 constexpr bool laplacian(const Needs& needs) { return needs.laplacian; }
+constexpr bool xsph(const Needs& needs) { return needs.xsph; }
+constexpr bool tait(const Needs& needs) { return needs.tait; }
 constexpr bool state_equation(const Needs& needs) { return needs.state_equation; }
 constexpr bool linear_system(const Needs& needs) { return needs.linear_system; }
 constexpr bool relaxation(const Needs& needs) { return needs.relaxation; }
@@ -23,6 +26,8 @@ constexpr FieldSet wall_fields{wall_density, wall_gradient, wall_gradient_square
 const std::array<StageInfo, stage_count>& stage_table() {
   // clang-format off
   static const std::array<StageInfo, stage_count> table = {{
+      {"pseudo_mass", {C_boundary, x_boundary}, {Psi}, Length::boundary, pseudo_mass,
+       "Psi_b = rho0 / sum_l W_bl"},
       {"grid_count", {x_in}, {cell, C}, Length::fluid, always,
        "C[c] = number of particles in cell c"},
       {"grid_scan", {C}, {C}, Length::cells, always,
@@ -35,21 +40,27 @@ const std::array<StageInfo, stage_count>& stage_table() {
        "x_i = x_in[L[i]], ..."},
       {"neighbours", {x, C}, neighbour_list | FieldSet{list_needed}, Length::fluid, always,
        "j: |x_ij| < 2H; dW_ij"},
-      {"boundary", {x, C_boundary, x_boundary}, wall_fields, Length::fluid, boundary,
-       "m sum_b W_ib, B_i = m sum_b dW_ib, ..."},
+      {"boundary", {x, C_boundary, x_boundary, Psi}, wall_fields, Length::fluid, boundary,
+       "sum_b m_b W_ib, B_i = sum_b m_b dW_ib, ..."},
       {"density", {x, list, index, wall_density}, {rho}, Length::fluid, always,
-       "rho_i = m (W_ii + sum_j W_ij + sum_b W_ib)"},
+       "rho_i = m (W_ii + sum_j W_ij) + sum_b m_b W_ib"},
+      {"clamp_density", {rho}, {rho}, Length::fluid, tait,
+       "rho := max(rho, rho0)"},
       {"external", {x}, {a_n}, Length::fluid, always,
        "a_n = g - c (x - centre)"},
       {"viscosity", neighbour_list | FieldSet{x, v, rho, wall_viscosity, a_n}, {a_n}, Length::fluid, laplacian,
        "a_n += 2 nu m sum (1/rho_j) (v_ij.x_ij)/(x_ij.x_ij + 0.01 H^2) dW_ij"},
+      {"xsph", {list, index, x, v, rho, a_n}, {a_n}, Length::fluid, xsph,
+       "a_n -= (alpha/dt) m sum_j (v_ij/rho_j) W_ij"},
       {"predict", {v, a_n}, {v_star}, Length::fluid, always,
        "v* = v + dt a_n"},
       {"state_equation", {rho}, {p, q}, Length::fluid, state_equation,
        "p = max(k (rho/rho0 - 1), 0)"},
+      {"tait", {rho}, {p, q}, Length::fluid, tait,
+       "p = kappa rho0/gamma ((rho/rho0)^gamma - 1)"},
       {"diagonal", {list, gradient, rho, wall_gradient, wall_gradient_squares}, {A_ii}, Length::fluid,
        linear_system,
-       "A_ii = -dt^2 m^2/rho_i^2 (|sum dW|^2 + sum |dW|^2)"},
+       "A_ii = -dt^2/rho_i^2 (|m sum_j dW + B_i|^2 + sum |m dW|^2)"},
       {"source", neighbour_list | FieldSet{v_star, rho, wall_gradient}, {s}, Length::fluid, linear_system,
        "s_i = rho0 - rho_i - dt m sum v*_ij.dW_ij"},
       {"warm_start", {L, p_in, rho}, {p, q}, Length::fluid, linear_system,
@@ -80,8 +91,11 @@ const StageInfo& info(Stage stage) { return stage_table()[static_cast<uint32_t>(
 Needs needs_of(const Scene& scene) {
   Needs needs;
   needs.boundary = scene.boundary_model != BoundaryModel::none && !scene.boundary.empty();
+  needs.pseudo_mass = needs.boundary && scene.boundary_model == BoundaryModel::akinci;
   needs.laplacian = scene.viscosity_model == ViscosityModel::laplacian && scene.viscosity > 0;
+  needs.xsph = scene.viscosity_model == ViscosityModel::xsph && scene.viscosity > 0;
   needs.state_equation = scene.method == PressureMethod::ssph;
+  needs.tait = scene.method == PressureMethod::wcsph;
   needs.linear_system = scene.method == PressureMethod::iisph;
   needs.relaxation = scene.relax > 0;
   return needs;
@@ -89,14 +103,15 @@ Needs needs_of(const Scene& scene) {
 
 namespace {
 
-/// Without boundary there are no wall fields; viscosity and the linear system each have one of their own.
+/// Without boundary there are no wall fields; some belong to one model only.
 FieldSet needed_only(FieldSet set, const Needs& needs) {
   FieldSet kept;
   for (uint32_t i = 0; i < field_count; ++i) {
     const Field field = static_cast<Field>(i);
     const bool wall_without_boundary = wall_fields.has(field) && !needs.boundary;
     const bool unused = (field == wall_viscosity && !needs.laplacian) ||
-                        (field == wall_gradient_squares && !needs.linear_system);
+                        (field == wall_gradient_squares && !(needs.linear_system && !needs.pseudo_mass)) ||
+                        (field == Psi && !needs.pseudo_mass);
     if (set.has(field) && !wall_without_boundary && !unused) kept = kept | FieldSet{field};
   }
   return kept;

@@ -16,9 +16,12 @@ struct Scene;
 /// What a scene asks of the model; decides which stages are planned.
 struct Needs {
   bool boundary = false;
-  bool laplacian = false;
-  bool state_equation = false;
-  bool linear_system = false;
+  bool pseudo_mass = false;     ///< of boundary samples: the boundary model is akinci
+  bool laplacian = false;       ///< viscosity
+  bool xsph = false;            ///< viscosity
+  bool state_equation = false;  ///< SSPH
+  bool tait = false;            ///< WCSPH
+  bool linear_system = false;   ///< IISPH
   bool relaxation = false;
 };
 
@@ -42,10 +45,13 @@ class FieldSet {
 
 // clang-format off
 #define SLUICE_STAGES(STAGE) \
-  STAGE(grid_count) STAGE(grid_scan) STAGE(grid_scatter) STAGE(grid_order) STAGE(reorder) STAGE(neighbours)       \
-  STAGE(boundary) STAGE(density) STAGE(external) STAGE(viscosity) STAGE(predict) STAGE(state_equation)            \
-  STAGE(diagonal) STAGE(source) STAGE(warm_start) STAGE(pressure_acceleration) STAGE(pressure_operator) STAGE(pressure_update)      \
-  STAGE(residual) STAGE(integrate) STAGE(relax) STAGE(diagnostics) STAGE(totals)
+  STAGE(pseudo_mass)                                                                                            \
+  STAGE(grid_count) STAGE(grid_scan) STAGE(grid_scatter) STAGE(grid_order) STAGE(reorder) STAGE(neighbours)     \
+  STAGE(boundary) STAGE(density) STAGE(clamp_density)                                                           \
+  STAGE(external) STAGE(viscosity) STAGE(xsph) STAGE(predict) STAGE(state_equation) STAGE(tait)                 \
+  STAGE(diagonal) STAGE(source) STAGE(warm_start)                                                               \
+  STAGE(pressure_acceleration) STAGE(pressure_operator) STAGE(pressure_update) STAGE(residual)                  \
+  STAGE(integrate) STAGE(relax) STAGE(diagnostics) STAGE(totals)
 // clang-format on
 
 enum class Stage : uint8_t {
@@ -55,6 +61,9 @@ enum class Stage : uint8_t {
       count
 };
 inline constexpr uint32_t stage_count = static_cast<uint32_t>(Stage::count);
+
+/// Stages before those of the grid run once, before the first step, and not in every step.
+constexpr bool runs_once(Stage stage) { return stage < Stage::grid_count; }
 
 struct StageInfo {
   std::string_view name;

@@ -1,7 +1,9 @@
 // All that a particle needs of the boundary in this step, summed once: no later stage walks over boundary
-// samples. Mirror boundary: every sample has mass m and rests [Hunkler 2022, section 5.2].
-//   wall_density = m sum_b W_ib        B_i = m sum_b dW_ib        wall_gradient_squares = sum_b |m dW_ib|^2
-//   wall_viscosity = m sum_b dW_ib x_ib^T / (x_ib.x_ib + 0.01 H^2), which applied to v_i gives the viscous
+// samples, which rest. m_b is the mass of a sample: m with a mirror boundary [Hunkler 2022, section 5.2],
+// Psi_b with that of [Akinci et al. 2012].
+//   wall_density = sum_b m_b W_ib        B_i = sum_b m_b dW_ib
+//   wall_gradient_squares = sum_b |m dW_ib|^2, of a mirror boundary, for the diagonal of the linear system
+//   wall_viscosity = sum_b m_b dW_ib x_ib^T / (x_ib.x_ib + 0.01 H^2), which applied to v_i gives the viscous
 //   term
 #include "cpu/kernel.hpp"
 #include "cpu/stages.hpp"
@@ -11,7 +13,8 @@ namespace sluice::cpu {
 template <class Real>
 void boundary(State<Real>& state) {
   const ParamsOf<Real>& params = state.params;
-  const bool viscous = state.needs.laplacian, linear_system = state.needs.linear_system;
+  const bool viscous = state.needs.laplacian, pseudo_mass = state.needs.pseudo_mass;
+  const bool needs_squares = state.needs.linear_system && !pseudo_mass;
   for_each_index(params.n, state.threads, [&](uint32_t i) {
     const glm::vec<2, Real> x_i = state.x[i];
     Real W{}, squares{};
@@ -24,19 +27,20 @@ void boundary(State<Real>& state) {
         if (!(r_squared < params.support_squared)) continue;
         const Real r = std::sqrt(r_squared);
         const glm::vec<2, Real> dW = kernel_gradient(params, x_ib, r);
-        W += kernel(params, r);
-        gradient += dW;
+        const Real mass = pseudo_mass ? state.Psi[b] : Real(1);  // in units of params.wall_mass
+        W += mass * kernel(params, r);
+        gradient += mass * dW;
         squares += glm::dot(dW, dW);
         if (viscous) {
-          const glm::vec<2, Real> y = x_ib / (r_squared + params.viscosity_floor);
+          const glm::vec<2, Real> y = (mass * x_ib) / (r_squared + params.viscosity_floor);
           tensor += glm::vec<4, Real>(dW.x * y.x, dW.x * y.y, dW.y * y.x, dW.y * y.y);
         }
       }
     });
-    state.wall_density[i] = params.m * W;
-    state.wall_gradient[i] = params.m * gradient;
-    if (linear_system) state.wall_gradient_squares[i] = params.m * params.m * squares;
-    if (viscous) state.wall_viscosity[i] = params.m * tensor;
+    state.wall_density[i] = params.wall_mass * W;
+    state.wall_gradient[i] = params.wall_mass * gradient;
+    if (needs_squares) state.wall_gradient_squares[i] = params.m * params.m * squares;
+    if (viscous) state.wall_viscosity[i] = params.wall_mass * tensor;
   });
 }
 

@@ -1,5 +1,5 @@
 // Density by summation over the neighbours, the particle itself and the boundary [Hunkler 2022, algorithm 5]:
-//   rho_i = m (W_ii + sum_j W_ij) + m sum_b W_ib
+//   rho_i = m (W_ii + sum_j W_ij) + sum_b m_b W_ib
 #include "cpu/kernel.hpp"
 #include "cpu/stages.hpp"
 

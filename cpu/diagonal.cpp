@@ -1,8 +1,9 @@
-// IISPH: diagonal of the pressure system, sums over fluid and boundary neighbours alike [Hunkler 2022,
-// eq. 5.13]:
-//   A_ii = -dt^2/rho_i^2 ( |m sum dW|^2 + sum |m dW|^2 )
-// Differs from [Hunkler 2022, eq. 5.13]: printed there with separate inner sums for fluid and boundary; one
-// sum over all neighbours, as in algorithm 6, is what gives the published iteration counts.
+// IISPH: diagonal of the pressure system [Hunkler 2022, eq. 5.13]:
+//   A_ii = -dt^2/rho_i^2 ( |m sum_j dW_ij + B_i|^2 + sum |m dW|^2 )
+// The sum of squares is over fluid and mirror samples alike. Samples with pseudo-masses have no part in it:
+// they do not answer to pressure with a pressure of their own [Ihmsen et al. 2014]. Differs from [Hunkler
+// 2022, eq. 5.13]: printed there with separate inner sums for fluid and boundary; one sum over all
+// neighbours, as in algorithm 6, is what gives the published iteration counts.
 #include "cpu/stages.hpp"
 
 namespace sluice::cpu {
@@ -10,7 +11,7 @@ namespace sluice::cpu {
 template <class Real>
 void diagonal(State<Real>& state) {
   const ParamsOf<Real>& params = state.params;
-  const bool walls = state.needs.boundary;
+  const bool walls = state.needs.boundary, mirror = walls && !state.needs.pseudo_mass;
   for_each_index(params.n, state.threads, [&](uint32_t i) {
     glm::vec<2, Real> sum{};
     Real squares{};
@@ -20,10 +21,8 @@ void diagonal(State<Real>& state) {
     });
     sum = params.m * sum;
     squares = params.m * params.m * squares;
-    if (walls) {
-      sum += state.wall_gradient[i];
-      squares += state.wall_gradient_squares[i];
-    }
+    if (walls) sum += state.wall_gradient[i];
+    if (mirror) squares += state.wall_gradient_squares[i];
     const Real scale = params.dt / state.rho[i];
     state.A_ii[i] = -(scale * scale) * (glm::dot(sum, sum) + squares);
   });

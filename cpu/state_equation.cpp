@@ -1,5 +1,5 @@
-// SSPH: pressure from a state equation, p = max(k (rho/rho0 - 1), 0) [Hunkler 2022, eq. 5.5], and q =
-// p/rho^2.
+// SSPH: pressure from a state equation [Hunkler 2022, eq. 5.5], written so that no digits cancel:
+//   p = max(k (rho - rho0)/rho0, 0),   q = p/rho^2
 #include "core/larger.hpp"
 #include "cpu/stages.hpp"
 
@@ -10,7 +10,7 @@ void state_equation(State<Real>& state) {
   const ParamsOf<Real>& params = state.params;
   for_each_index(params.n, state.threads, [&](uint32_t i) {
     const Real rho = state.rho[i];
-    state.p[i] = larger(Real(0), params.k * (rho / params.rho0 - Real(1)));
+    state.p[i] = larger(Real(0), params.k * ((rho - params.rho0) / params.rho0));
     state.q[i] = state.p[i] / (rho * rho);
   });
 }

@@ -42,6 +42,7 @@ std::string constants(const Needs& needs, uint32_t pass, uint32_t group_size) {
     text += fmt::format("const bool {} = {};\n", name, value);
   };
   fact("walls", needs.boundary);
+  fact("pseudo_mass", needs.pseudo_mass);
   fact("viscous", needs.laplacian);
   fact("linear_system", needs.linear_system);
   return text;

@@ -95,7 +95,7 @@ std::vector<Pass> passes_of(Stage stage, const Sizes& sizes, uint32_t group_size
     case Stage::diagnostics: return {each_chunk(0, sizes, group_size)};
     case Stage::residual: return fold_passes(sizes.chunks(), 2, 1, group_size);
     case Stage::totals: return fold_passes(sizes.chunks(), total_count, total_count, group_size);
-    default: return {each_invocation(0, n, group_size)};
+    default: return {each_invocation(0, sizes.of(info(stage).range), group_size)};
   }
 }
 

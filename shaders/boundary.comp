@@ -1,6 +1,8 @@
-// All that a particle needs of the boundary in this step, summed once [Hunkler 2022, section 5.2]:
-//   wall_density = m sum_b W_ib        B_i = m sum_b dW_ib        wall_gradient_squares = sum_b |m dW_ib|^2
-//   wall_viscosity = m sum_b dW_ib x_ib^T / (x_ib.x_ib + 0.01 H^2)
+// All that a particle needs of the boundary in this step, summed once [Hunkler 2022, section 5.2; Akinci et al. 2012].
+// With m_b the mass of a sample, m with a mirror boundary, else Psi_b:
+//   wall_density = sum_b m_b W_ib        B_i = sum_b m_b dW_ib
+//   wall_gradient_squares = sum_b |m dW_ib|^2, of a mirror boundary
+//   wall_viscosity = sum_b m_b dW_ib x_ib^T / (x_ib.x_ib + 0.01 H^2)
 
 #include "lib/grid.glsl"
 #include "lib/kernel.glsl"
@@ -20,21 +22,22 @@ void run(uint i) {
       if (!(r_squared < params.support_squared)) continue;
       precise float r = sqrt(r_squared);
       vec2 dW = kernel_gradient(x_ib, r);
-      W += kernel(r);
-      gradient += dW;
+      float mass = pseudo_mass ? load(Psi, b) : 1.0;  // in units of params.wall_mass
+      W += mass * kernel(r);
+      gradient += mass * dW;
       squares += dot_of(dW, dW);
       if (viscous) {
-        precise vec2 y = x_ib / (r_squared + params.viscosity_floor);
+        precise vec2 y = (mass * x_ib) / (r_squared + params.viscosity_floor);
         tensor += vec4(dW.x * y.x, dW.x * y.y, dW.y * y.x, dW.y * y.y);
       }
     }
   }
-  W *= params.m;
-  gradient *= params.m;
+  W *= params.wall_mass;
+  gradient *= params.wall_mass;
   squares *= params.m * params.m;
-  tensor *= params.m;
+  tensor *= params.wall_mass;
   wall_density[i] = W;
   wall_gradient[i] = gradient;
-  if (linear_system) wall_gradient_squares[i] = squares;
+  if (linear_system && !pseudo_mass) wall_gradient_squares[i] = squares;
   if (viscous) wall_viscosity[i] = tensor;
 }

@@ -15,7 +15,7 @@ void run(uint chunk) {
   for (uint i = chunk * chunk_width; i < min((chunk + 1u) * chunk_width, params.n); ++i) {
     vec2 x_i = load(x_in, i), v_i = load(v_in, i);
     float rho_i = load(rho, i);
-    precise float above = rho_i / params.rho0 - 1.0;
+    precise float above = (rho_i - params.rho0) / params.rho0;
     above = larger(0.0, above);
     float square = dot_of(v_i, v_i);
     density += rho_i;

@@ -1,5 +1,6 @@
-// IISPH: diagonal of the pressure system, sums over fluid and boundary neighbours alike [Hunkler 2022, eq. 5.13]:
-//   A_ii = -dt^2/rho_i^2 ( |m sum dW|^2 + sum |m dW|^2 )
+// IISPH: diagonal of the pressure system [Hunkler 2022, eq. 5.13]:
+//   A_ii = -dt^2/rho_i^2 ( |m sum_j dW_ij + B_i|^2 + sum |m dW|^2 )
+// The sum of squares is over fluid and mirror samples alike; samples with pseudo-masses have no part in it.
 
 #include "lib/neighbours.glsl"
 #include "lib/vectors.glsl"
@@ -14,10 +15,8 @@ void run(uint i) {
   }
   sum = params.m * sum;
   squares = params.m * params.m * squares;
-  if (walls) {
-    sum += load(wall_gradient, i);
-    squares += load(wall_gradient_squares, i);
-  }
+  if (walls) sum += load(wall_gradient, i);
+  if (walls && !pseudo_mass) squares += load(wall_gradient_squares, i);
   precise float scale = params.dt / load(rho, i);
   precise float diagonal = -(scale * scale) * (dot_of(sum, sum) + squares);
   A_ii[i] = diagonal;

@@ -38,7 +38,7 @@ TEST(Allocations, CounterCounts) {
 }
 
 TEST(Allocations, StepsAfterTheFirstMakeNone) {
-  for (const char* method : {"iisph", "ssph"}) {
+  for (const char* method : {"iisph", "ssph", "wcsph"}) {
     for (const int threads : {1, 2}) {
       Simulation simulation(shipped("breaking_dam", {std::string("pressure.method=") + method}),
                             Precision::double_, threads);
@@ -52,7 +52,7 @@ TEST(Allocations, StepsAfterTheFirstMakeNone) {
 
 TEST(Allocations, BackendTakesWhatWasForeseen) {
   for (const char* name : {"leaking_dam", "falling_from_platform"}) {
-    for (const char* method : {"iisph", "ssph"}) {
+    for (const char* method : {"iisph", "ssph", "wcsph"}) {
       const Scene scene = shipped(name, {std::string("pressure.method=") + method});
       const Samples samples = sample(scene);
       const Params params = make_params(scene, static_cast<uint32_t>(samples.fluid.size()));

@@ -39,21 +39,7 @@ void expect_agreement(const Simulation& simulation, const StepReport& report, co
   EXPECT_LT(relative_difference(snapshot.v, reference.v), tolerance);
 }
 
-using SceneAndMethod = std::tuple<std::string, std::string>;
-class EveryScene : public testing::TestWithParam<SceneAndMethod> {};
-
-TEST_P(EveryScene, FirstStepEqualsTheEquations) {
-  const auto& [name, method] = GetParam();
-  Simulation simulation(shipped(name, {"pressure.method=" + method}));
-  BruteForce reference(simulation.scene, simulation.samples);
-  reference.step();
-  expect_agreement(simulation, simulation.run(1).back(), reference);
-}
-
-// The lattice of the start hides errors that only show off it, and velocities are zero there.
-TEST_P(EveryScene, StepOfAJitteredMovingStartEqualsTheEquations) {
-  const auto& [name, method] = GetParam();
-  Scene scene = shipped(name, {"pressure.method=" + method, "fluid.jitter=0.15", "fluid.seed=7"});
+void expect_moving_start_equals_the_equations(Scene scene) {
   for (FluidShape& shape : scene.fluid) {
     shape.velocity = {3, -2};
     shape.velocity_gradient = {{0.02, -0.01}, {0.03, -0.02}};
@@ -64,11 +50,69 @@ TEST_P(EveryScene, StepOfAJitteredMovingStartEqualsTheEquations) {
   expect_agreement(simulation, simulation.run(1).back(), reference);
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, EveryScene,
-                         testing::Combine(testing::ValuesIn(all_scenes()), testing::Values("iisph", "ssph")),
-                         [](const auto& test) {
-                           return std::get<0>(test.param) + "_" + std::get<1>(test.param);
-                         });
+class EveryScene : public testing::TestWithParam<ShippedRun> {};
+
+TEST_P(EveryScene, FirstStepEqualsTheEquations) {
+  Simulation simulation(GetParam().load());
+  BruteForce reference(simulation.scene, simulation.samples);
+  reference.step();
+  expect_agreement(simulation, simulation.run(1).back(), reference);
+}
+
+// The lattice of the start hides errors that only show off it, and velocities are zero there.
+TEST_P(EveryScene, StepOfAJitteredMovingStartEqualsTheEquations) {
+  expect_moving_start_equals_the_equations(GetParam().load({"fluid.jitter=0.15", "fluid.seed=7"}));
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, EveryScene, testing::ValuesIn(shipped_runs()),
+                         [](const auto& test) { return test.param.name(); });
+
+// Boundary models, viscosities and methods go together in any way.
+TEST(BruteForceTest, EveryCombinationOfModelsEqualsTheEquations) {
+  for (const std::string boundary : {"mirror", "akinci"}) {
+    for (const std::string viscosity : {"laplacian", "xsph"}) {
+      for (const std::string method : {"ssph", "wcsph", "iisph"}) {
+        SCOPED_TRACE(boundary + ", " + viscosity + ", " + method);
+        expect_moving_start_equals_the_equations(shipped(
+            "inclined_plane", {"boundary.model=" + boundary, "viscosity.model=" + viscosity,
+                               "viscosity.coefficient=" + std::string(viscosity == "xsph" ? "0.05" : "200"),
+                               "pressure.method=" + method, "fluid.jitter=0.15", "fluid.seed=3"}));
+      }
+    }
+  }
+}
+
+TEST(BruteForceTest, AnyExponentOfTaitsEquationEqualsTheEquations) {
+  for (const char* gamma : {"1", "1.5", "2", "6.999", "7", "7.3", "12.25", "64", "100.7"}) {
+    SCOPED_TRACE(gamma);
+    expect_moving_start_equals_the_equations(
+        shipped("inclined_plane", {"pressure.method=wcsph", std::string("pressure.wcsph.gamma=") + gamma,
+                                   "fluid.jitter=0.15", "fluid.seed=3"}));
+  }
+}
+
+// The trajectory is the page's own, in every detail.
+TEST(BruteForceTest, TwoHundredStepsOfTheWcsphBoxEqualTheEquations) {
+  Simulation simulation(shipped("wcsph_box"));
+  BruteForce reference(simulation.scene, simulation.samples);
+  const auto largest_distance = [&] {
+    const Snapshot snapshot = simulation.simulator->snapshot();
+    double largest = 0;
+    for (size_t i = 0; i < snapshot.x.size(); ++i)
+      largest = std::max(largest, glm::length(snapshot.x[i] - reference.x[i]));
+    return largest;
+  };
+  const auto run = [&](int steps) {
+    for (int step = 0; step < steps; ++step) {
+      simulation.run(1);
+      reference.step();
+    }
+    return largest_distance();
+  };
+  EXPECT_LT(run(100), 1e-10);
+  EXPECT_LT(run(100), 1e-8);
+  EXPECT_GT(simulation.simulator->snapshot().x[0].y, 0);
+}
 
 // The warm start, and strays far from the lattice, need more than one step.
 TEST(BruteForceTest, TenStepsOfTheBreakingDamEqualTheEquations) {

@@ -69,7 +69,7 @@ TEST(CliSeries, HasOneRowPerStep) {
 
 // m = 64, h = 8, g = 9.81, rho0 = 1.
 TEST(CliSeries, AgreesWithTheState) {
-  for (const char* method : {"iisph", "ssph"}) {
+  for (const char* method : {"iisph", "ssph", "wcsph"}) {
     const auto [series, state] =
         run("breaking_dam", {"--time", "4", "--set", std::string("pressure.method=") + method});
     const size_t last = series.size() - 1;
@@ -104,7 +104,7 @@ TEST(CliSeries, PotentialEnergyFollowsAnyGravity) {
 
 // Without viscosity only gravity and the walls change the momentum: m sum dv/dt = m n g - F.
 TEST(CliSeries, WallForceIsWhatChangesTheMomentum) {
-  for (const char* method : {"iisph", "ssph"}) {
+  for (const char* method : {"iisph", "ssph", "wcsph"}) {
     const Words inviscid{"--set", "viscosity.coefficient=0", "--set",
                          std::string("pressure.method=") + method, "--steps"};
     Words before = inviscid, after = inviscid;

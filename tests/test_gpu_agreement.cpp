@@ -77,10 +77,6 @@ class LargerSpacing final : public ForwardingBackend {
   Scene scene_;
 };
 
-struct Case {
-  std::string scene, method;
-};
-
 struct Bench {
   Scene scene;
   gpu::BackendOptions options{.guard = 64};
@@ -91,17 +87,7 @@ struct Bench {
   std::unique_ptr<gpu::GpuBackend> run = gpu::make_backend(context);
 };
 
-std::vector<Case> cases() {
-  std::vector<Case> all;
-  for (const std::string& name : all_scenes()) {
-    for (const char* method : {"iisph", "ssph"}) {
-      if (std::string(method) == "iisph" || shipped(name).ssph) all.push_back({name, method});
-    }
-  }
-  return all;
-}
-
-class StageAgreementOf : public testing::TestWithParam<Case> {};
+class StageAgreementOf : public testing::TestWithParam<ShippedRun> {};
 
 void expect_every_stage_agrees(Bench bench) {
   Guarded guarded(*bench.stages);
@@ -126,9 +112,7 @@ void expect_every_stage_agrees(Bench bench) {
 }
 
 // A jittered start, so that no comparison rests on the symmetry of a lattice.
-Scene jittered(const Case& row) {
-  return shipped(row.scene, {"pressure.method=" + row.method, "fluid.jitter=0.05"});
-}
+Scene jittered(const ShippedRun& run) { return run.load({"fluid.jitter=0.05"}); }
 
 TEST_P(StageAgreementOf, EveryStageFromIdenticalInput) { expect_every_stage_agrees({jittered(GetParam())}); }
 
@@ -137,8 +121,8 @@ TEST_P(StageAgreementOf, EveryStageInTheWayOfGraphicsCards) {
   expect_every_stage_agrees({jittered(GetParam()), {.group_size = 128, .guard = 64, .most_texels = 1}});
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, StageAgreementOf, testing::ValuesIn(cases()),
-                         [](const auto& row) { return row.param.scene + "_" + row.param.method; });
+INSTANTIATE_TEST_SUITE_P(Scenes, StageAgreementOf, testing::ValuesIn(shipped_runs()),
+                         [](const auto& test) { return test.param.name(); });
 
 TEST(StageAgreement, OfARelaxation) {
   Bench bench{shipped("breaking_dam", {"fluid.jitter=0.2", "fluid.relax=3"})};
@@ -154,14 +138,16 @@ const std::set<Stage> without_constants = {Stage::grid_scan, Stage::grid_scatter
                                            Stage::reorder, Stage::totals};
 
 TEST(StageAgreement, IsRefusedToEveryStageWhoseConstantsAreChanged) {
-  for (const char* method : {"iisph", "ssph"}) {
-    Bench bench{shipped("breaking_dam", {std::string("pressure.method=") + method, "fluid.jitter=0.05"})};
+  for (const ShippedRun& run : {ShippedRun{"breaking_dam", "iisph"}, ShippedRun{"breaking_dam", "ssph"},
+                                ShippedRun{"wcsph_box", "wcsph"}, ShippedRun{"iisph_box", "iisph"}}) {
+    Bench bench{jittered(run)};
     Perturbed perturbed(*bench.stages);
     const Agreement found = agree(bench.scene, bench.samples, {*bench.cpu, perturbed, *bench.run}, 40, 32);
     for (const StageAgreement& row : found.stages) {
       // Another tolerance ends another solve now and then, or none.
       if (row.stage == Stage::residual) continue;
-      EXPECT_EQ(row.pass, without_constants.contains(row.stage)) << method << ", " << info(row.stage).name;
+      EXPECT_EQ(row.pass, without_constants.contains(row.stage))
+          << run.name() << ", " << info(row.stage).name;
     }
     EXPECT_FALSE(found.pass);
   }

@@ -1,7 +1,10 @@
 // The promise of the README: the state files of `--backend cpu --precision float` and `--backend gpu` are the
 // same bytes after 1000 steps of every scene, through the impact and the chaos after it; and so are those of
 // two GPU runs. On llvmpipe: hardware divides and takes roots in its own way.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+
+#include <algorithm>
 
 #include "gpu/context.hpp"
 #include "tests/support/run_program.hpp"
@@ -50,10 +53,13 @@ TEST_P(StateOf, IsTheSameBytesOnBothBackends) {
 INSTANTIATE_TEST_SUITE_P(Scenes, StateOf,
                          testing::Values(Words{"breaking_dam"}, Words{"leaking_dam"},
                                          Words{"falling_from_platform"}, Words{"inclined_plane"},
-                                         Words{"resting_fluid"},
-                                         Words{"breaking_dam", "--set", "pressure.method=ssph"}),
+                                         Words{"resting_fluid"}, Words{"wcsph_box"}, Words{"iisph_box"},
+                                         Words{"breaking_dam", "--set", "pressure.method=ssph"},
+                                         Words{"breaking_dam", "--set", "pressure.method=wcsph"}),
                          [](const auto& row) {
-                           return row.param[0] + (row.param.size() > 1 ? "_ssph" : "_iisph");
+                           const std::string method = row.param.size() > 1 ? row.param[2] : "";
+                           return fmt::format("{}_{}", row.param[0],
+                                              method.substr(std::min<size_t>(16, method.size())));
                          });
 
 // Runs that blow up do so in the same step, at the same particle, for the same reason.

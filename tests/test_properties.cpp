@@ -31,6 +31,8 @@ Scene blob(const std::string& method, const std::string& extra = "") {
     velocity_gradient = [[-0.05, 0.02], [0.03, -0.04]]
     [pressure.ssph]
     stiffness = 100
+    [pressure.wcsph]
+    kappa = 100
     [time]
     dt = 0.02
     duration = 1
@@ -53,7 +55,7 @@ double scale_of(const Snapshot& snapshot, double m) {
 }
 
 TEST(Momentum, FreeBlobWithoutViscosityKeepsIt) {
-  for (const char* method : {"iisph", "ssph"}) {
+  for (const char* method : {"iisph", "ssph", "wcsph"}) {
     Simulation simulation(blob(method));
     const Snapshot start = simulation.simulator->snapshot();
     const double m = simulation.scene.mass();

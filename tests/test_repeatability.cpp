@@ -42,7 +42,7 @@ TEST_P(Repeatability, AnyNumberOfThreadsGivesTheSameBits) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Methods, Repeatability, testing::Values("iisph", "ssph"));
+INSTANTIATE_TEST_SUITE_P(Methods, Repeatability, testing::Values("iisph", "ssph", "wcsph"));
 
 TEST(RepeatabilityTest, ThroughTheImpact) {
   const Scene scene = shipped("breaking_dam");

@@ -221,7 +221,7 @@ TEST(Sampling, StartVelocityTurnsAboutTheCentreOfTheShape) {
 }
 
 TEST(Sampling, BoundsAreUpperBounds) {
-  for (const std::string& name : all_scenes()) {
+  for (const std::string& name : shipped_scenes()) {
     const Scene scene = shipped(name);
     const SampleBounds bounds = sample_bounds(scene);
     const Samples samples = sample(scene);

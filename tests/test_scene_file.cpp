@@ -68,30 +68,53 @@ TEST(SceneFile, BreakingDamHoldsWhatItSays) {
   EXPECT_EQ(scene.iisph.tolerance, 1e-3);
   ASSERT_TRUE(scene.ssph.has_value());
   EXPECT_EQ(scene.ssph->stiffness, 7e5);
-  EXPECT_FALSE(scene.wcsph.has_value());
+  ASSERT_TRUE(scene.wcsph.has_value());
+  EXPECT_EQ(scene.wcsph->kappa, 7e5);
+  EXPECT_EQ(scene.wcsph->gamma, 7);
   EXPECT_EQ(scene.dt, 0.04);
   EXPECT_EQ(scene.duration, 50);
   EXPECT_EQ(scene.image_size, glm::uvec2(400, 600));
   EXPECT_TRUE(scene.spacing_where.ends_with("breaking_dam.toml:6:11")) << scene.spacing_where;
 }
 
-TEST(SceneFile, EveryShippedSceneLoadsWithBothMethodsAndAUnitIsAPixel) {
+TEST(SceneFile, EveryShippedSceneLoadsWithEveryMethodAndAUnitOfTheThesisIsAPixel) {
   std::vector<std::string> names = shipped_scenes();
   EXPECT_TRUE(std::ranges::is_sorted(names));
-  for (const char* name : {"breaking_dam", "falling_from_platform", "inclined_plane", "leaking_dam",
-                           "resting_fluid", "template"})
+  for (const char* name : {"breaking_dam", "falling_from_platform", "iisph_box", "inclined_plane",
+                           "leaking_dam", "resting_fluid", "template", "wcsph_box"})
     EXPECT_NE(std::ranges::find(names, name), names.end()) << name;
   for (const std::string& name : names) {
     SCOPED_TRACE(name);
     Scene scene;
     ASSERT_NO_THROW(scene = load_scene(name));
     EXPECT_EQ(scene.name, name);
-    EXPECT_EQ(Vec2(scene.image_size), scene.domain_max - scene.domain_min);
-    std::vector<std::string> overrides{"pressure.method=ssph"};
-    ASSERT_NO_THROW(scene = load_scene(name, overrides));
-    EXPECT_EQ(scene.method, PressureMethod::ssph);
-    EXPECT_EQ(scene.dt, scene.settings["pressure"]["ssph"]["dt"].get<double>());
+    const bool of_the_thesis = !name.ends_with("_box");
+    if (of_the_thesis) {
+      EXPECT_EQ(Vec2(scene.image_size), scene.domain_max - scene.domain_min);
+    }
+    for (const std::string method : {"iisph", "ssph", "wcsph"}) {
+      std::vector<std::string> overrides{"pressure.method=" + method};
+      ASSERT_NO_THROW(scene = load_scene(name, overrides));
+      EXPECT_EQ(scene.settings["pressure"]["method"], method);
+      if (!of_the_thesis || method == "iisph") continue;
+      EXPECT_EQ(scene.dt, scene.settings["pressure"][method]["dt"].get<double>());
+    }
   }
+}
+
+TEST(SceneFile, TheBoxesDifferInTheirMethodOnly) {
+  Scene wcsph = load_scene("wcsph_box"), iisph = load_scene("iisph_box");
+  EXPECT_EQ(wcsph.method, PressureMethod::wcsph);
+  EXPECT_EQ(wcsph.wcsph->kappa, 245);
+  EXPECT_EQ(wcsph.viscosity_model, ViscosityModel::xsph);
+  EXPECT_EQ(wcsph.viscosity, 0.05);
+  EXPECT_EQ(wcsph.boundary_model, BoundaryModel::akinci);
+  EXPECT_EQ(iisph.method, PressureMethod::iisph);
+  for (Scene* scene : {&wcsph, &iisph}) {
+    scene->settings.erase("scene");
+    scene->settings["pressure"].erase("method");
+  }
+  EXPECT_EQ(wcsph.settings, iisph.settings);
 }
 
 TEST(SceneFile, GeometryOfTheOtherScenes) {

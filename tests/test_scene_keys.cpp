@@ -92,7 +92,7 @@ TEST(SceneKeys, TheReferenceNamesEverySectionAndKey) {
   EXPECT_NE(reference.find("| `omega` | number |  | `0.5` | greater than 0 and less than 2 | "),
             std::string::npos);
   EXPECT_NE(reference.find("| `seed` | integer |  | `0` | at least 0 | "), std::string::npos);
-  EXPECT_NE(reference.find("`\"xsph\"` (not available yet)"), std::string::npos);
+  EXPECT_NE(reference.find("`\"symmetric\"` (not available yet)"), std::string::npos);
 }
 
 /// "section key" for every key that a scene file shows, written or commented out.

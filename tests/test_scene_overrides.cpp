@@ -162,9 +162,8 @@ TEST(SceneOverrides, MistakesNameTheOverride) {
       {{"fluid.rect=[]"},
        "--set fluid.rect: fluid: found no fluid, expected at least one shape, such as [[fluid.rect]]"},
       {{"pressure.method=wcsph"},
-       "--set pressure.method: pressure.method: found \"wcsph\", which is not available yet, expected "
-       "\"iisph\" or "
-       "\"ssph\""},
+       "--set pressure.method: pressure.wcsph: found nothing, expected a table [pressure.wcsph], as "
+       "pressure.method is \"wcsph\""},
       {{"pressure={method=\"ssph\"}"},
        "--set pressure: pressure.ssph: found nothing, expected a table [pressure.ssph], as pressure.method "
        "is "

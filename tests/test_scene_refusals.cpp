@@ -97,7 +97,8 @@ TEST(SceneRefusals, WrongTypes) {
        "t.toml:14:22: fluid.rect.0.velocity_gradient.0: found 0, expected an array of two numbers"},
       {13, "max = [9, 9]\nvelocity_gradient = [[0, 0], [0, false]]",
        "t.toml:14:34: fluid.rect.0.velocity_gradient.1.1: found false, expected a number"},
-      {15, "model = \"solid\"", "t.toml:15:9: boundary.model: found \"solid\", expected \"mirror\""},
+      {15, "model = \"solid\"",
+       "t.toml:15:9: boundary.model: found \"solid\", expected \"mirror\" or \"akinci\""},
       {18, "max = [400, 600]\nsides = \"left\"",
        "t.toml:19:9: boundary.container.0.sides: found \"left\", expected an array of one or more of "
        "\"left\", "
@@ -186,7 +187,7 @@ TEST(SceneRefusals, TablesThatAreNotUsedAreCheckedToo) {
        "t.toml:27:13: pressure.ssph.stiffness: found 0, expected a number greater than 0"},
       {28, "dt = \"x\"", "t.toml:28:6: pressure.ssph.dt: found \"x\", expected a number greater than 0"},
       {30, "kappa = 1\ngamma = 0.5",
-       "t.toml:31:9: pressure.wcsph.gamma: found 0.5, expected a number of at least 1"},
+       "t.toml:31:9: pressure.wcsph.gamma: found 0.5, expected a number from 1 to 1000000"},
       {30, "gamma = 7", "t.toml:29:1: pressure.wcsph.kappa: found nothing, expected a number greater than 0"},
       {27, "", "t.toml:26:1: pressure.ssph.stiffness: found nothing, expected a number greater than 0"},
   });
@@ -207,10 +208,10 @@ TEST(SceneRefusals, MissingKeysAndTables) {
       {13, "",
        "t.toml:11:1: fluid.rect.0.max: found nothing, expected an array of two lengths, or count in its "
        "place"},
-      {15, "", "t.toml:14:1: boundary.model: found nothing, expected \"mirror\""},
-      {20, "", "t.toml:19:1: viscosity.model: found nothing, expected \"laplacian\""},
+      {15, "", "t.toml:14:1: boundary.model: found nothing, expected \"mirror\" or \"akinci\""},
+      {20, "", "t.toml:19:1: viscosity.model: found nothing, expected \"laplacian\" or \"xsph\""},
       {21, "", "t.toml:19:1: viscosity.coefficient: found nothing, expected a number of at least 0"},
-      {23, "", "t.toml:22:1: pressure.method: found nothing, expected \"iisph\" or \"ssph\""},
+      {23, "", "t.toml:22:1: pressure.method: found nothing, expected \"iisph\", \"ssph\" or \"wcsph\""},
       {32, "",
        "t.toml:31:1: time.dt: found nothing, expected a number greater than 0, here or as pressure.iisph.dt"},
       {33, "", "t.toml:31:1: time.duration: found nothing, expected a number greater than 0"},
@@ -325,15 +326,18 @@ TEST(SceneRefusals, TooManyToNumber) {
   });
 }
 
+TEST(SceneRefusals, ModelsThatDoNotGoTogether) {
+  const std::string symmetric = scene_with(25, "wall = \"symmetric\"");
+  EXPECT_EQ(refusal_of(symmetric, {"boundary.model=akinci"}),
+            "--set boundary.model: pressure.iisph.wall: found \"symmetric\" with boundary.model \"akinci\", "
+            "expected \"thesis\"; the wall term of \"akinci\" is symmetric as it is");
+  EXPECT_EQ(refusal_of(symmetric, {"boundary.model=akinci", "pressure.method=ssph"}), "no refusal");
+  EXPECT_NE(refusal_of(symmetric, {"boundary.model=akinci", "pressure.method=ssph", "fluid.relax=1"}),
+            "no refusal");
+}
+
 TEST(SceneRefusals, NotAvailableYet) {
   expect_refusals({
-      {23, "method = \"wcsph\"",
-       "t.toml:23:10: pressure.method: found \"wcsph\", which is not available yet, expected \"iisph\" or "
-       "\"ssph\""},
-      {20, "model = \"xsph\"",
-       "t.toml:20:9: viscosity.model: found \"xsph\", which is not available yet, expected \"laplacian\""},
-      {15, "model = \"akinci\"",
-       "t.toml:15:9: boundary.model: found \"akinci\", which is not available yet, expected \"mirror\""},
       {25, "solver = \"barzilai-borwein\"",
        "t.toml:25:10: pressure.iisph.solver: found \"barzilai-borwein\", which is not available yet, "
        "expected "
@@ -353,7 +357,7 @@ TEST(SceneRefusals, NotAvailableYet) {
   EXPECT_EQ(refusal_of(scene_with(25, "wall = \"symmetric\""), {"pressure.method=ssph", "fluid.relax=3"}),
             "t.toml:25:8: pressure.iisph.wall: found \"symmetric\", which is not available yet, expected "
             "\"thesis\"");
-  EXPECT_EQ(refusal_of(scene_with(20, "model = \"xsph\""), {"viscosity.coefficient=-1"}),
+  EXPECT_EQ(refusal_of(scene_with(25, "wall = \"symmetric\""), {"viscosity.coefficient=-1"}),
             "--set viscosity.coefficient: viscosity.coefficient: found -1, expected a number of at least 0")
       << "the rest of the table is checked first";
 }
@@ -409,7 +413,7 @@ TEST(SceneRefusals, CharactersBeyondAscii) {
        "t.toml:4:1: particles.größe: found an unknown key, expected one of the known keys; did "
        "you mean \"spacing\"?"},
       {15, "model = \"größe\u2028\"",
-       "t.toml:15:9: boundary.model: found \"größe\u2028\", expected \"mirror\""},
+       "t.toml:15:9: boundary.model: found \"größe\u2028\", expected \"mirror\" or \"akinci\""},
       {2, "title = \"\xff\"", "t.toml:2:10: " + not_utf8},
       {2, "title = \"\xc3\"", "t.toml:2:10: " + not_utf8},
       {2, "title = \"\xed\xa0\x80\"", "t.toml:2:10: " + not_utf8},
@@ -438,7 +442,7 @@ TEST(SceneRefusals, DotsInStringsAndCommentsAreNoDeepKeys) {
 TEST(SceneRefusals, EveryMessageIsOneLine) {
   std::string message = refusal_of(scene_with(15, "model = \"a\\nb\\tc" + std::string(100, 'x') + "\""));
   EXPECT_EQ(message, "t.toml:15:9: boundary.model: found \"a b c" + std::string(55, 'x') +
-                         "...\", expected \"mirror\"");
+                         "...\", expected \"mirror\" or \"akinci\"");
 }
 
 }  // namespace

@@ -109,15 +109,25 @@ TEST(Plan, HasEachModelExactlyWhenItIsNeeded) {
   for (const Needs& needs : all_needs()) {
     const Plan plan = make_plan(needs);
     EXPECT_EQ(has(plan, Stage::boundary), needs.boundary);
+    EXPECT_EQ(has(plan, Stage::pseudo_mass), needs.pseudo_mass);
     EXPECT_EQ(has(plan, Stage::viscosity), needs.laplacian);
+    EXPECT_EQ(has(plan, Stage::xsph), needs.xsph);
     EXPECT_EQ(has(plan, Stage::state_equation), needs.state_equation);
+    EXPECT_EQ(has(plan, Stage::clamp_density), needs.tait);
+    EXPECT_EQ(has(plan, Stage::tait), needs.tait);
     for (const Stage stage : {Stage::diagonal, Stage::source, Stage::warm_start, Stage::pressure_operator,
                               Stage::pressure_update, Stage::residual}) {
       EXPECT_EQ(has(plan, stage), needs.linear_system) << info(stage).name;
     }
     EXPECT_FALSE(has(plan, Stage::relax));
     EXPECT_EQ(plan.sweep.empty(), !needs.linear_system);
-    EXPECT_TRUE(has(make_relax_plan(needs), Stage::relax));
+    const Plan relaxing = make_relax_plan(needs);
+    EXPECT_TRUE(has(relaxing, Stage::relax));
+    EXPECT_EQ(has(relaxing, Stage::pseudo_mass), needs.pseudo_mass);
+    for (const Stage stage :
+         {Stage::clamp_density, Stage::xsph, Stage::viscosity, Stage::tait, Stage::state_equation}) {
+      EXPECT_FALSE(has(relaxing, stage)) << info(stage).name;
+    }
   }
 }
 
@@ -125,9 +135,9 @@ TEST(Plan, AllocatesNothingThatNoStageUses) {
   Needs bare;
   bare.state_equation = true;
   const FieldSet fields = make_plan(bare).fields();
-  for (const Field field : {Field::C_boundary, Field::x_boundary, Field::wall_density, Field::wall_gradient,
-                            Field::wall_gradient_squares, Field::wall_viscosity, Field::A_ii, Field::s,
-                            Field::Ap, Field::residual_sums, Field::residual}) {
+  for (const Field field : {Field::C_boundary, Field::x_boundary, Field::Psi, Field::wall_density,
+                            Field::wall_gradient, Field::wall_gradient_squares, Field::wall_viscosity,
+                            Field::A_ii, Field::s, Field::Ap, Field::residual_sums, Field::residual}) {
     EXPECT_FALSE(fields.has(field)) << info(field).name;
   }
   Needs inviscid = bare;
@@ -136,6 +146,12 @@ TEST(Plan, AllocatesNothingThatNoStageUses) {
   EXPECT_FALSE(make_plan(inviscid).fields().has(Field::wall_viscosity));
   EXPECT_FALSE(make_plan(inviscid).fields().has(Field::wall_gradient_squares))
       << "only the diagonal reads it";
+  EXPECT_FALSE(make_plan(inviscid).fields().has(Field::Psi)) << "mirror samples have the mass of the fluid's";
+  Needs akinci = inviscid;
+  akinci.pseudo_mass = akinci.linear_system = true;
+  akinci.state_equation = false;
+  EXPECT_TRUE(make_plan(akinci).fields().has(Field::Psi));
+  EXPECT_FALSE(make_plan(akinci).fields().has(Field::wall_gradient_squares)) << "of mirror samples only";
 }
 
 }  // namespace

@@ -49,7 +49,7 @@ class AskingAlways final : public ForwardingBackend {
 constexpr int steps = 60;
 
 TEST(Transfers, AStepReadsBackAFewNumbersAndNothingPerParticle) {
-  for (const char* method : {"iisph", "ssph"}) {
+  for (const char* method : {"iisph", "ssph", "wcsph"}) {
     const Scene scene = shipped("breaking_dam", {std::string("pressure.method=") + method});
     const Samples samples = sample(scene);
     const gpu::Context context;

@@ -52,6 +52,8 @@ void print_scene(const std::string& name, const std::vector<std::string>& overri
                need.per_particle, bytes_text(need.bytes));
   }
   const Plan plan = make_plan(needs_of(scene));
+  if (!plan.once.empty()) fmt::print("before the first step:\n");
+  print_stages("boundary", plan.once);
   fmt::print("one step:\n");
   print_stages("search and density", plan.search);
   print_stages("forces", plan.forces);

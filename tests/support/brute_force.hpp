@@ -14,6 +14,7 @@ struct BruteForce {
   std::vector<Vec2> x, v;  ///< state, advanced by step()
   std::vector<double> p;   ///< pressure, the warm start of the next step
   std::vector<double> rho, A_ii, s;
+  std::vector<double> boundary_mass;  ///< m with a mirror boundary, else the pseudo-masses
   std::vector<Vec2> a_n, v_star, a_p;
   uint32_t iterations = 0;
   double residual = 0;
@@ -29,9 +30,13 @@ struct BruteForce {
   };
   double W(double r) const;
   Vec2 dW(Vec2 x_ij) const;
+  void compute_boundary_mass();
   void find_neighbours();
   void compute_density();
   void compute_non_pressure();
+  void add_viscosity();
+  void add_xsph();
+  void compute_pressure();
   void compute_pressure_acceleration();
   void solve();
   void iterate(double& error);
@@ -39,6 +44,7 @@ struct BruteForce {
   const Scene& scene_;
   const std::vector<Vec2>& boundary_;
   double h_, H_, m_, rho0_, dt_;
+  bool mirror_;
   std::vector<std::vector<Neighbour>> fluid_neighbours_, boundary_neighbours_;
 };
 

@@ -39,8 +39,21 @@ inline Scene shipped(const std::string& name, std::vector<std::string> overrides
   return load_scene(name, overrides);
 }
 
-/// Names of the shipped scenes that can run with the methods there are.
-inline std::vector<std::string> all_scenes() { return shipped_scenes(); }
+/// A shipped scene with one of the methods it has a table for.
+struct ShippedRun {
+  std::string scene, method;
+
+  std::string name() const { return scene + "_" + method; }
+  Scene load(std::vector<std::string> overrides = {}) const {
+    overrides.push_back("pressure.method=" + method);
+    return shipped(scene, overrides);
+  }
+};
+
+inline void PrintTo(const ShippedRun& run, std::ostream* out) { *out << run.name(); }
+
+/// Every shipped scene with every method it has a table for.
+std::vector<ShippedRun> shipped_runs();
 
 /// Largest |a - b| relative to the largest |b|; infinite when sizes differ or something is not finite.
 double relative_difference(const std::vector<double>& a, const std::vector<double>& b);
