@@ -26,6 +26,12 @@ struct VectorOf {
 template <class T>
 using Vector = typename VectorOf<T>::type;
 
+/// What comparing two vectors of reals gives: integers of the same size.
+template <class Real>
+using Mask = decltype(Vector<Real>{} < Vector<Real>{});
+template <class Real>
+using MaskElement = std::remove_cvref_t<decltype(Mask<Real>{}[0])>;
+
 /// Coordinates of particles side by side.
 template <class Value>
 struct Pair {
@@ -88,14 +94,22 @@ inline Pair<Vector<double>> gather(const glm::dvec2* from, const uint32_t* j) {
   return split(load(&from[j[0]].x), load(&from[j[1]].x));
 }
 
+/// The same for a field of reals.
+inline Vector<float> gather(const float* from, const uint32_t* j) {
+  return Vector<float>{from[j[0]], from[j[1]], from[j[2]], from[j[3]]};
+}
+inline Vector<double> gather(const double* from, const uint32_t* j) {
+  return Vector<double>{from[j[0]], from[j[1]]};
+}
+
 #ifdef __SSE2__
 inline Vector<float> square_root(Vector<float> values) { return _mm_sqrt_ps(values); }
 inline Vector<double> square_root(Vector<double> values) { return _mm_sqrt_pd(values); }
 /// Bit l is whether lane l of the mask is set.
-inline uint32_t bits_of(Vector<int32_t> mask) {
+inline uint32_t bits_of(Mask<float> mask) {
   return static_cast<uint32_t>(_mm_movemask_ps(reinterpret_cast<__m128>(mask)));
 }
-inline uint32_t bits_of(Vector<int64_t> mask) {
+inline uint32_t bits_of(Mask<double> mask) {
   return static_cast<uint32_t>(_mm_movemask_pd(reinterpret_cast<__m128d>(mask)));
 }
 #else
@@ -108,11 +122,10 @@ V square_root(V values) {
 template <class V>
 uint32_t bits_of(V mask) {
   uint32_t bits = 0;
-  for (uint32_t lane = 0; lane < sizeof(V) / sizeof(mask[0]); ++lane) bits |= (mask[lane] & 1) << lane;
+  for (uint32_t lane = 0; lane < sizeof(V) / sizeof(mask[0]); ++lane)
+    bits |= (mask[lane] != 0 ? 1u : 0u) << lane;
   return bits;
 }
 #endif
-inline float square_root(float value) { return std::sqrt(value); }
-inline double square_root(double value) { return std::sqrt(value); }
 
 }  // namespace sluice::cpu
