@@ -2,6 +2,7 @@
 //   rho_i = m (W_ii + sum_j W_ij) + sum_b m_b W_ib
 #include "cpu/kernel.hpp"
 #include "cpu/stages.hpp"
+#include "cpu/sums.hpp"
 
 namespace sluice::cpu {
 
@@ -9,12 +10,12 @@ template <class Real>
 void density(State<Real>& state) {
   const ParamsOf<Real>& params = state.params;
   const bool walls = state.needs.boundary;
-  for_each_index(params.n, state.threads, [&](uint32_t i) {
-    Real sum = kernel(params, Real(0));
-    for_each_neighbour(state, i, [&](uint32_t j, glm::vec<2, Real>) {
-      sum += kernel(params, glm::length(state.x[i] - state.x[j]));
-    });
-    state.rho[i] = params.m * sum + (walls ? state.wall_density[i] : Real(0));
+  const auto term = [&](auto i, auto j, auto) {
+    const auto x_ij = i(state.x) - j(state.x);
+    return std::array{kernel(params, square_root(dot(x_ij, x_ij)))};
+  };
+  sum_over_neighbours(state, std::array{kernel(params, Real(0))}, term, [&](uint32_t i, auto sum) {
+    state.rho[i] = params.m * sum[0] + (walls ? state.wall_density[i] : Real(0));
   });
 }
 

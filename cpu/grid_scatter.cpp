@@ -1,18 +1,13 @@
 // Puts every particle into its cell in L, moving C from the cells' ends to their beginnings
-// [Hunkler 2022, algorithm 3]. The order within a cell is left to chance; grid_order settles it.
+// [Hunkler 2022, algorithm 3]. One thread does it, as in grid_count. From the last particle to the first, so
+// that those of a cell keep their order, which leaves little for grid_order to do.
 #include "cpu/stages.hpp"
 
 namespace sluice::cpu {
 
 template <class Real>
 void grid_scatter(State<Real>& state) {
-  for_each_index(state.params.n, state.threads, [&](uint32_t i) {
-    uint32_t& end = state.C[state.cell[i]];
-    uint32_t place;
-#pragma omp atomic capture
-    place = --end;
-    state.L[place] = i;
-  });
+  for (uint32_t i = state.params.n; i-- > 0;) state.L[--state.C[state.cell[i]]] = i;
 }
 
 }  // namespace sluice::cpu

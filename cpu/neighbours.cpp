@@ -2,54 +2,105 @@
 // per step, walked by every stage after it [Hunkler 2022, algorithm 4].
 //
 // Layout: slices of 16 particles; entry k of the particle in lane l of a slice stands at first + 16 k + l, so
-// that a slice is as long as the longest of its lists. Each thread fills its own part of the list from the
-// front. If a part is too short, searching goes on without storing, list_needed says how large the list has
-// to be, and all lists are left empty.
+// that a slice is as long as the longest of its lists; what fills up the shorter ones means nothing. Each
+// thread fills its own part of the list from the front. If a part is too short, searching goes on without
+// storing, list_needed says how large the list has to be, and all lists are left empty.
 #include <algorithm>
 #include <array>
 
 #include "cpu/kernel.hpp"
+#include "cpu/lanes.hpp"
+#include "cpu/search.hpp"
 #include "cpu/stages.hpp"
 
 namespace sluice::cpu {
 namespace {
 
-/// Candidates looked at together: their distances are compared without branches, which a processor could not
-/// foresee.
-constexpr uint32_t block_size = 32;
+/// Candidates per particle up to which those of a slice are put aside in one go; where more of them crowd,
+/// they are searched one by one.
+constexpr uint32_t most_candidates = 480;
+
+/// Neighbours of the particles of a slice, lane by lane; after them stand others, never a number of no
+/// particle.
+using Found = std::array<std::array<uint32_t, most_candidates + block_width>, slice_width>;
+
+template <class Real>
+Candidates candidates_of(const State<Real>& state, uint32_t i) {
+  Candidates candidates{i, {}};
+  size_t row = 0;
+  for_each_row(state.C, state.params.columns, cell_of(state.params, state.x[i]),
+               [&](uint32_t first, uint32_t last) {
+                 candidates.rows[row++] = {first, last};
+               });
+  return candidates;
+}
 
 /// Stores the neighbours of particle i from entry `first` on while they are before `end`; returns their
 /// number.
 template <class Real>
-uint32_t search(State<Real>& state, uint32_t i, uint64_t first, uint64_t end) {
-  const ParamsOf<Real>& params = state.params;
-  const glm::vec<2, Real> x_i = state.x[i];
-  const uint64_t lane = first % slice_width;
+uint32_t search_crowd(State<Real>& state, const Candidates& candidates, uint64_t first, uint64_t end) {
+  const uint32_t i = candidates.i;
   uint32_t count = 0;
-  const auto store = [&](uint32_t j) {
-    const uint64_t entry = first + uint64_t{slice_width} * count++;
-    if (entry >= end) return;
-    const glm::vec<2, Real> x_ij = x_i - state.x[j];
-    const glm::vec<2, Real> dW = kernel_gradient(params, x_ij, glm::length(x_ij));
-    const uint64_t block = 2 * entry - lane;
-    state.index[entry] = j;
-    state.gradient[block] = dW.x;
-    state.gradient[block + slice_width] = dW.y;
-  };
-  for_each_row(state.C, params.columns, cell_of(params, x_i), [&](uint32_t row_first, uint32_t row_last) {
-    for (uint32_t block = row_first; block < row_last; block += block_size) {
-      std::array<uint32_t, block_size> found;
-      uint32_t found_count = 0;
-      for (uint32_t j = block; j < std::min(block + block_size, row_last); ++j) {
-        const glm::vec<2, Real> x_ij = x_i - state.x[j];
-        found[found_count] = j;
-        found_count += static_cast<uint32_t>(glm::dot(x_ij, x_ij) < params.support_squared) &
-                       static_cast<uint32_t>(j != i);
-      }
-      for (uint32_t k = 0; k < found_count; ++k) store(found[k]);
+  for (const glm::uvec2 row : candidates.rows) {
+    for (uint32_t j = row.x; j < row.y; ++j) {
+      const glm::vec<2, Real> x_ij = state.x[i] - state.x[j];
+      if (!(glm::dot(x_ij, x_ij) < state.params.support_squared) || j == i) continue;
+      const uint64_t entry = first + uint64_t{slice_width} * count++;
+      if (entry < end) state.index[entry] = j;
     }
-  });
+  }
   return count;
+}
+
+/// The gradients of the entries from `entry` to `end` - 1, of the slice of particle `first`.
+template <class Real>
+void store_gradients(State<Real>& state, uint32_t first, uint64_t entry, uint64_t end) {
+  const ParamsOf<Real> params = state.params;
+  const glm::vec<2, Real>* x = state.x.data();
+  std::array<glm::vec<2, Real>, slice_width> x_i;
+  for (uint32_t lane = 0; lane < slice_width; ++lane) x_i[lane] = x[std::min(first + lane, params.n - 1)];
+  for (; entry < end; entry += slice_width) {
+    for (uint32_t lane = 0; lane < slice_width; lane += lane_count<Real>) {
+      const auto x_ij = load_pairs(&x_i[lane]) - gather(x, &state.index[entry + lane]);
+      const auto slope = kernel_slope(params, square_root(dot(x_ij, x_ij)));
+      store(slope * x_ij.x, &state.gradient[2 * entry + lane]);
+      store(slope * x_ij.y, &state.gradient[2 * entry + slice_width + lane]);
+    }
+  }
+}
+
+/// Makes the lists of the slice of particle `first`, from `cursor` on if there is room for them before `end`;
+/// returns the length of the longest.
+template <class Real>
+uint32_t search_slice(State<Real>& state, Find<Real> find, Found& found, uint32_t first, uint64_t cursor,
+                      uint64_t end) {
+  const uint32_t n = state.params.n, lanes = std::min(slice_width, n - first);
+  std::array<Candidates, slice_width> candidates;
+  bool crowd = n < block_width;
+  for (uint32_t lane = 0; lane < lanes; ++lane) {
+    candidates[lane] = candidates_of(state, first + lane);
+    crowd |= candidates[lane].count() > most_candidates;
+  }
+  std::array<uint32_t, slice_width> counts{};
+  for (uint32_t lane = 0; lane < lanes; ++lane) {
+    counts[lane] =
+        crowd ? search_crowd(state, candidates[lane], cursor + lane, end)
+              : find(state.x.data(), n, state.params.support_squared, candidates[lane], found[lane].data());
+    state.list[first + lane] = {static_cast<uint32_t>(cursor + lane), counts[lane]};
+  }
+  const uint32_t longest = *std::max_element(counts.begin(), counts.end());
+  if (cursor + uint64_t{slice_width} * longest > end) return longest;
+  for (uint32_t k = 0; k < longest; ++k) {
+    uint32_t* index = &state.index[cursor + uint64_t{slice_width} * k];
+    for (uint32_t lane = 0; lane < slice_width; ++lane) {
+      if (!crowd)
+        index[lane] = found[lane][k];
+      else if (k >= counts[lane])
+        index[lane] = first;
+    }
+  }
+  store_gradients(state, first, cursor, cursor + uint64_t{slice_width} * longest);
+  return longest;
 }
 
 }  // namespace
@@ -59,6 +110,7 @@ void neighbours(State<Real>& state) {
   const uint32_t n = state.params.n;
   const uint64_t slices = (n + slice_width - 1) / slice_width;
   const uint64_t parts = std::min<uint64_t>(static_cast<uint64_t>(state.threads), slices);
+  const Find<Real> find = fastest_find<Real>();
   uint64_t longest_part = 0;
 #pragma omp parallel for num_threads(static_cast <int>(parts)) schedule(static) reduction(max : longest_part)
   for (uint64_t part = 0; part < parts; ++part) {
@@ -66,15 +118,10 @@ void neighbours(State<Real>& state) {
     const uint64_t begin = share(state.sizes.list / slice_width, part) * slice_width;
     const uint64_t end = share(state.sizes.list / slice_width, part + 1) * slice_width;
     uint64_t cursor = begin;
+    Found found{};
     for (uint64_t slice = share(slices, part); slice < share(slices, part + 1); ++slice) {
-      uint32_t longest = 0;
-      for (uint32_t lane = 0; lane < slice_width; ++lane) {
-        const uint32_t i = static_cast<uint32_t>(slice * slice_width) + lane;
-        if (i >= n) break;
-        const uint32_t count = search(state, i, cursor + lane, end);
-        state.list[i] = {static_cast<uint32_t>(cursor + lane), count};
-        longest = std::max(longest, count);
-      }
+      const uint32_t longest =
+          search_slice(state, find, found, static_cast<uint32_t>(slice * slice_width), cursor, end);
       cursor += uint64_t{slice_width} * longest;
     }
     longest_part = std::max(longest_part, cursor - begin);

@@ -2,6 +2,7 @@
 // looks at it, with rho0 [Hunkler 2022, algorithm 7]. With q = p/rho^2 and B_i = m sum_b dW_ib:
 //   a_p = -m sum_j (q_i + q_j) dW_ij - (q_i + p_i/rho0^2) B_i
 #include "cpu/stages.hpp"
+#include "cpu/sums.hpp"
 
 namespace sluice::cpu {
 
@@ -9,12 +10,13 @@ template <class Real>
 void pressure_acceleration(State<Real>& state) {
   const ParamsOf<Real>& params = state.params;
   const bool walls = state.needs.boundary;
-  for_each_index(params.n, state.threads, [&](uint32_t i) {
-    const Real q_i = state.q[i];
-    glm::vec<2, Real> sum{};
-    for_each_neighbour(state, i, [&](uint32_t j, glm::vec<2, Real> dW) { sum += (q_i + state.q[j]) * dW; });
-    sum = -(params.m * sum);
-    if (walls) sum -= (q_i + state.p[i] * params.wall_pressure) * state.wall_gradient[i];
+  const auto term = [&](auto i, auto j, auto dW) {
+    const auto q = i(state.q) + j(state.q);
+    return std::array{q * dW.x, q * dW.y};
+  };
+  sum_over_neighbours(state, std::array<Real, 2>{}, term, [&](uint32_t i, auto sums) {
+    glm::vec<2, Real> sum = -(params.m * glm::vec<2, Real>(sums[0], sums[1]));
+    if (walls) sum -= (state.q[i] + state.p[i] * params.wall_pressure) * state.wall_gradient[i];
     state.a_p[i] = sum;
   });
 }

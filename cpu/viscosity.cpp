@@ -4,6 +4,7 @@
 // The sum over b stands in wall_viscosity. Not antisymmetric in i and j because of 1/rho_j, so it does not
 // conserve momentum exactly.
 #include "cpu/stages.hpp"
+#include "cpu/sums.hpp"
 
 namespace sluice::cpu {
 
@@ -11,15 +12,15 @@ template <class Real>
 void viscosity(State<Real>& state) {
   const ParamsOf<Real>& params = state.params;
   const bool walls = state.needs.boundary;
-  for_each_index(params.n, state.threads, [&](uint32_t i) {
-    const glm::vec<2, Real> x_i = state.x[i], v_i = state.v[i];
-    glm::vec<2, Real> sum{};
-    for_each_neighbour(state, i, [&](uint32_t j, glm::vec<2, Real> dW) {
-      const glm::vec<2, Real> x_ij = x_i - state.x[j];
-      const Real approach = glm::dot(v_i - state.v[j], x_ij);
-      sum += (approach / ((glm::dot(x_ij, x_ij) + params.viscosity_floor) * state.rho[j])) * dW;
-    });
-    sum = params.m * sum;
+  const auto term = [&](auto i, auto j, auto dW) {
+    const auto x_ij = i(state.x) - j(state.x);
+    const auto approach = dot(i(state.v) - j(state.v), x_ij);
+    const auto factor = approach / ((dot(x_ij, x_ij) + params.viscosity_floor) * j(state.rho));
+    return std::array{factor * dW.x, factor * dW.y};
+  };
+  sum_over_neighbours(state, std::array<Real, 2>{}, term, [&](uint32_t i, auto sums) {
+    const glm::vec<2, Real> v_i = state.v[i];
+    glm::vec<2, Real> sum = params.m * glm::vec<2, Real>(sums[0], sums[1]);
     if (walls) {
       const glm::vec<4, Real> t = state.wall_viscosity[i];
       sum += glm::vec<2, Real>(t.x * v_i.x + t.y * v_i.y, t.z * v_i.x + t.w * v_i.y) / state.rho[i];

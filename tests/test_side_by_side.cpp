@@ -1,0 +1,181 @@
+// What is computed for several particles side by side has the bits of one particle at a time: the lists and
+// their gradients, found in every way this processor knows, and the sums over them.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+
+#include "cpu/kernel.hpp"
+#include "cpu/search.hpp"
+#include "tests/support/search.hpp"
+
+namespace sluice::test {
+namespace {
+
+template <class Real>
+using Vec = glm::vec<2, Real>;
+
+template <class T>
+bool same_bits(const std::vector<T>& a, const std::vector<T>& b) {
+  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
+}
+
+template <class T>
+void append(std::vector<T>& to, const std::vector<T>& from) {
+  to.insert(to.end(), from.begin(), from.end());
+}
+
+/// Particles far and near, alone, in clusters, in one place and outside the grid; lists of very different
+/// lengths, and a last slice that is not full.
+std::vector<Vec2> scattered() {
+  std::vector<Vec2> positions = random_positions(1000, {0, 0}, {20, 40}, 1);
+  append(positions, random_positions(60, {30, 30}, {30.5, 30.5}, 2));
+  append(positions, random_positions(30, {-5, -5}, {50, 50}, 3));
+  append(positions, std::vector<Vec2>(5, Vec2(33.25, 3.5)));
+  append(positions, {Vec2(1e6, 3), Vec2(1e6, 3), Vec2(-1e9, 1e30), Vec2(std::nan(""), 1), Vec2(39.9, 39.9)});
+  return positions;
+}
+
+/// So many in one cell that they are searched one by one, and some elsewhere.
+std::vector<Vec2> crowded() {
+  std::vector<Vec2> positions = random_positions(700, {8, 8}, {10, 10}, 4);
+  append(positions, random_positions(200, {0, 0}, {40, 40}, 5));
+  return positions;
+}
+
+std::vector<std::vector<Vec2>> cases() {
+  return {scattered(), crowded(), random_positions(15, {0, 0}, {3, 3}, 6),
+          random_positions(16, {0, 0}, {3, 3}, 7), random_positions(37, {0, 0}, {3, 3}, 8)};
+}
+
+/// Neighbours of i by looking at everybody.
+template <class Real>
+std::vector<uint32_t> neighbours_of(const cpu::State<Real>& state, uint32_t i) {
+  std::vector<uint32_t> found;
+  for (uint32_t j = 0; j < state.params.n; ++j) {
+    const Vec<Real> x_ij = state.x[i] - state.x[j];
+    if (glm::dot(x_ij, x_ij) < state.params.support_squared && j != i) found.push_back(j);
+  }
+  return found;
+}
+
+template <class Real>
+void expect_plain_lists(const std::vector<Vec2>& positions, int threads) {
+  const auto state = searched<Real>(open_scene(20), positions, threads);
+  for (uint32_t i = 0; i < state.params.n; ++i) {
+    std::vector<uint32_t> index;
+    std::vector<Vec<Real>> gradients, expected;
+    cpu::for_each_neighbour(state, i, [&](uint32_t j, Vec<Real> dW) {
+      index.push_back(j);
+      gradients.push_back(dW);
+      const Vec<Real> x_ij = state.x[i] - state.x[j];
+      expected.push_back(cpu::kernel_gradient(state.params, x_ij, glm::length(x_ij)));
+    });
+    ASSERT_EQ(index, neighbours_of(state, i)) << i;
+    ASSERT_TRUE(same_bits(gradients, expected)) << i;
+  }
+}
+
+TEST(SideBySide, ListsAreThoseOfAPlainSearch) {
+  for (const auto& positions : cases()) {
+    for (const int threads : {1, 2, 3}) {
+      expect_plain_lists<float>(positions, threads);
+      expect_plain_lists<double>(positions, threads);
+    }
+  }
+}
+
+template <class Real>
+void expect_every_way_to_find_the_same() {
+  std::vector<cpu::Find<Real>> ways = {cpu::find_4_wide<Real>, cpu::fastest_find<Real>()};
+  const auto state = searched<Real>(open_scene(20), scattered());
+  const uint32_t n = state.params.n;
+  for (const auto find : ways) {
+    for (uint32_t i = 0; i < n; ++i) {
+      // Ranges of any length and place, the last of all included.
+      const cpu::Candidates candidates{i, {{{i / 2, i / 2 + i % 40}, {i, i}, {n - 1 - i % 35, n}}}};
+      std::vector<uint32_t> expected, found(candidates.count() + cpu::block_width);
+      const auto all = neighbours_of(state, i);
+      for (const glm::uvec2 row : candidates.rows) {
+        std::copy_if(all.begin(), all.end(), std::back_inserter(expected),
+                     [&](uint32_t j) { return row.x <= j && j < row.y; });
+      }
+      found.resize(find(state.x.data(), n, state.params.support_squared, candidates, found.data()));
+      ASSERT_EQ(found, expected) << i;
+    }
+  }
+}
+
+TEST(SideBySide, EveryWayToFindGivesTheSame) {
+  expect_every_way_to_find_the_same<float>();
+  expect_every_way_to_find_the_same<double>();
+}
+
+/// Searched, with values for the stages to work on; where no list has an entry, the worst there can be.
+template <class Real>
+cpu::State<Real> prepared(const std::vector<Vec2>& positions) {
+  auto state = searched<Real>(open_scene(20), positions, 2);
+  const uint32_t n = state.params.n;
+  state.params.nu = Real(0.3);
+  const auto values = random_positions(3 * n, {0.5, -1}, {1.5, 1}, 9);
+  for (uint32_t i = 0; i < n; ++i) {
+    state.rho.push_back(static_cast<Real>(values[3 * i].x));
+    state.q.push_back(static_cast<Real>(values[3 * i].y));
+    state.v[i] = Vec<Real>(values[3 * i + 1]);
+    state.a_n.push_back(Vec<Real>(values[3 * i + 2]));
+  }
+  state.a_p.resize(n);
+  // Sums that are lost if anything is added to them for a neighbour they do not have.
+  state.q[n / 2] = std::numeric_limits<Real>::infinity();
+  std::vector<uint32_t> index(state.index.size(), ~0u);
+  std::vector<Real> gradient(state.gradient.size(), std::numeric_limits<Real>::quiet_NaN());
+  for (const glm::uvec2 list : state.list) {
+    for (uint32_t k = 0; k < list.y; ++k) {
+      const uint64_t entry = list.x + uint64_t{slice_width} * k, block = 2 * entry - list.x % slice_width;
+      index[entry] = state.index[entry];
+      for (const uint64_t at : {block, block + slice_width}) gradient[at] = state.gradient[at];
+    }
+  }
+  state.index = index;
+  state.gradient = gradient;
+  return state;
+}
+
+template <class Real>
+void expect_plain_sums(const std::vector<Vec2>& positions) {
+  auto state = prepared<Real>(positions);
+  const auto& params = state.params;
+  std::vector<Real> rho;
+  std::vector<Vec<Real>> a_p, a_n;
+  for (uint32_t i = 0; i < params.n; ++i) {
+    Real W = cpu::kernel(params, Real(0));
+    Vec<Real> pressure{}, viscous{};
+    cpu::for_each_neighbour(state, i, [&](uint32_t j, Vec<Real> dW) {
+      const Vec<Real> x_ij = state.x[i] - state.x[j];
+      W += cpu::kernel(params, glm::length(x_ij));
+      pressure += (state.q[i] + state.q[j]) * dW;
+      const Real approach = glm::dot(state.v[i] - state.v[j], x_ij);
+      viscous += (approach / ((glm::dot(x_ij, x_ij) + params.viscosity_floor) * state.rho[j])) * dW;
+    });
+    rho.push_back(params.m * W);
+    a_p.push_back(-(params.m * pressure));
+    a_n.push_back(state.a_n[i] + (Real(2) * params.nu) * (params.m * viscous));
+  }
+  cpu::viscosity(state);
+  cpu::pressure_acceleration(state);
+  cpu::density(state);
+  EXPECT_TRUE(same_bits(state.a_n, a_n));
+  EXPECT_TRUE(same_bits(state.a_p, a_p));
+  EXPECT_TRUE(same_bits(state.rho, rho));
+}
+
+TEST(SideBySide, SumsAreThoseOfOneParticleAtATime) {
+  for (const auto& positions : cases()) {
+    expect_plain_sums<float>(positions);
+    expect_plain_sums<double>(positions);
+  }
+}
+
+}  // namespace
+}  // namespace sluice::test
