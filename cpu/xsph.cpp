@@ -3,20 +3,20 @@
 //   a_n -= (alpha m/dt) sum_j (1/rho_j) (v_i - v_j) W_ij
 #include "cpu/kernel.hpp"
 #include "cpu/stages.hpp"
+#include "cpu/sums.hpp"
 
 namespace sluice::cpu {
 
 template <class Real>
 void xsph(State<Real>& state) {
   const ParamsOf<Real>& params = state.params;
-  for_each_index(params.n, state.threads, [&](uint32_t i) {
-    const glm::vec<2, Real> x_i = state.x[i], v_i = state.v[i];
-    glm::vec<2, Real> sum{};
-    for_each_neighbour(state, i, [&](uint32_t j, glm::vec<2, Real>) {
-      const Real W = kernel(params, glm::length(x_i - state.x[j]));
-      sum += (W / state.rho[j]) * (v_i - state.v[j]);
-    });
-    state.a_n[i] -= params.xsph * sum;
+  const auto term = [&](auto i, auto j, auto) {
+    const auto x_ij = i(state.x) - j(state.x), v_ij = i(state.v) - j(state.v);
+    const auto weight = kernel(params, square_root(dot(x_ij, x_ij))) / j(state.rho);
+    return std::array{weight * v_ij.x, weight * v_ij.y};
+  };
+  sum_over_neighbours(state, std::array<Real, 2>{}, term, [&](uint32_t i, auto sums) {
+    state.a_n[i] -= params.xsph * glm::vec<2, Real>(sums[0], sums[1]);
   });
 }
 
