@@ -20,11 +20,11 @@ FieldValues poison(Field field, const Sizes& sizes) {
   return values;
 }
 
-Difference compare_lists(const NeighbourLists& a, const NeighbourLists& b) {
-  Difference result = compare(a.lengths, b.lengths, Field::list);
-  result.add(compare(a.index, b.index, Field::index));
-  result.add(compare(a.gradient, b.gradient, Field::gradient));
-  return result;
+/// What the lists hold of one of their fields, wherever their slices stand.
+Difference compare_lists(const NeighbourLists& a, const NeighbourLists& b, Field field) {
+  if (field == Field::list) return compare(a.lengths, b.lengths, field);
+  if (field == Field::index) return compare(a.index, b.index, field);
+  return compare(a.gradient, b.gradient, field);
 }
 
 /// Until grid_order has run, the order of L within a cell is left to chance.
@@ -121,8 +121,7 @@ Difference ComparingBackend::compare_output(Stage stage) const {
   const FieldSet writes = writes_of(stage, needs_);
   for_each_field(reads_of(stage, needs_) | writes, [&](Field field) {
     if (writes.has(field) && list_fields.has(field)) {
-      if (field == Field::list)
-        result.add(compare_lists(lists_of(*active_, sizes_), lists_of(other_, sizes_)));
+      result.add(compare_lists(lists_of(*active_, sizes_), lists_of(other_, sizes_), field));
       return;
     }
     // How many entries the list needs depends on how a backend shares it out among its threads.

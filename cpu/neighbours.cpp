@@ -1,5 +1,5 @@
-// The neighbours of every particle, r < 2H, in ascending order, with their kernel gradients: searched once
-// per step, walked by every stage after it [Hunkler 2022, algorithm 4].
+// The neighbours of every particle, r < 2H, in ascending order: searched once per step, walked by every stage
+// after it [Hunkler 2022, algorithm 4].
 //
 // Layout: slices of 16 particles; entry k of the particle in lane l of a slice stands at first + 16 k + l, so
 // that a slice is as long as the longest of its lists; what fills up the shorter ones means nothing. Each
@@ -8,8 +8,6 @@
 #include <algorithm>
 #include <array>
 
-#include "cpu/kernel.hpp"
-#include "cpu/lanes.hpp"
 #include "cpu/search.hpp"
 #include "cpu/stages.hpp"
 
@@ -52,23 +50,6 @@ uint32_t search_crowd(State<Real>& state, const Candidates& candidates, uint64_t
   return count;
 }
 
-/// The gradients of the entries from `entry` to `end` - 1, of the slice of particle `first`.
-template <class Real>
-void store_gradients(State<Real>& state, uint32_t first, uint64_t entry, uint64_t end) {
-  const ParamsOf<Real> params = state.params;
-  const glm::vec<2, Real>* x = state.x.data();
-  std::array<glm::vec<2, Real>, slice_width> x_i;
-  for (uint32_t lane = 0; lane < slice_width; ++lane) x_i[lane] = x[std::min(first + lane, params.n - 1)];
-  for (; entry < end; entry += slice_width) {
-    for (uint32_t lane = 0; lane < slice_width; lane += lane_count<Real>) {
-      const auto x_ij = load_pairs(&x_i[lane]) - gather(x, &state.index[entry + lane]);
-      const auto slope = kernel_slope(params, square_root(dot(x_ij, x_ij)));
-      store(slope * x_ij.x, &state.gradient[2 * entry + lane]);
-      store(slope * x_ij.y, &state.gradient[2 * entry + slice_width + lane]);
-    }
-  }
-}
-
 /// Makes the lists of the slice of particle `first`, from `cursor` on if there is room for them before `end`;
 /// returns the length of the longest.
 template <class Real>
@@ -99,7 +80,6 @@ uint32_t search_slice(State<Real>& state, Find<Real> find, Found& found, uint32_
         index[lane] = first;
     }
   }
-  store_gradients(state, first, cursor, cursor + uint64_t{slice_width} * longest);
   return longest;
 }
 

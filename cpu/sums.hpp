@@ -22,16 +22,37 @@ struct Particles {
   }
 };
 
-/// The sums of what term(i, j, dW) gives over the neighbours of the `lanes` particles from `begin` on, with
-/// `start` added before.
-template <class Real, size_t count, class Term>
-std::array<Vector<Real>, count> sums_of(const State<Real>& state, uint32_t begin, uint32_t lanes,
-                                        const std::array<Real, count>& start, const Term& term) {
+/// The `lanes` particles from `begin` on. Where there are fewer than a register holds, the last one fills it
+/// up.
+template <class Real>
+Particles<Real> particles_from(uint32_t begin, uint32_t lanes) {
+  Particles<Real> particles;
+  for (uint32_t l = 0; l < lane_count<Real>; ++l) particles.at[l] = begin + std::min(l, lanes - 1);
+  return particles;
+}
+
+/// Says of every lane that its value counts.
+struct Everyone {};
+
+/// The values that count, and 0 for the others.
+template <class Value>
+Value those(Everyone, Value value) {
+  return value;
+}
+template <class There, class Value>
+Value those(There there, Value value) {
+  return there ? value : Value{};
+}
+
+/// Walks over the lists of the `lanes` particles from `begin` on: calls visit(block, j, there) for their
+/// first neighbours j, their second ones and so on. `block` is where the x components of the gradients stand.
+/// `there` is for those(): where a list has ended, j is a particle, but none to count.
+template <class Real, class Visit>
+[[gnu::always_inline]] inline void walk(const State<Real>& state, uint32_t begin, uint32_t lanes,
+                                        const Visit& visit) {
   constexpr uint32_t width = lane_count<Real>;
-  Particles<Real> i, j;
   std::array<uint32_t, width> length{};
   Mask<Real> lengths{};
-  for (uint32_t l = 0; l < width; ++l) i.at[l] = begin + std::min(l, lanes - 1);
   for (uint32_t l = 0; l < lanes; ++l) {
     length[l] = state.list[begin + l].y;
     lengths[l] = static_cast<MaskElement<Real>>(length[l]);
@@ -39,29 +60,43 @@ std::array<Vector<Real>, count> sums_of(const State<Real>& state, uint32_t begin
   const auto [shortest, longest] = std::minmax_element(length.begin(), length.end());
   const uint64_t first = state.list[begin].x;
   const uint32_t* index = state.index.data() + first;
-  const Real* gradient = state.gradient.data() + 2 * first - first % slice_width;
-  const auto next_terms = [&] {
-    const Pair<Vector<Real>> dW{load(gradient), load(gradient + slice_width)};
-    index += slice_width;
-    gradient += 2 * slice_width;
-    return term(i, j, dW);
-  };
-
-  std::array<Vector<Real>, count> sums;
-  for (size_t c = 0; c < count; ++c) sums[c] = broadcast(start[c]);
+  uint64_t block = 2 * first - first % slice_width;
+  Particles<Real> j;
   uint32_t k = 0;
-  for (; k < *shortest; ++k) {
+  for (; k < *shortest; ++k, index += slice_width, block += 2 * slice_width) {
     for (uint32_t l = 0; l < width; ++l) j.at[l] = index[l];
-    const auto terms = next_terms();
-    for (size_t c = 0; c < count; ++c) sums[c] += terms[c];
+    visit(block, j, Everyone{});
   }
   // Where a list has ended, its entries may hold anything.
-  for (; k < *longest; ++k) {
+  for (; k < *longest; ++k, index += slice_width, block += 2 * slice_width) {
     for (uint32_t l = 0; l < width; ++l) j.at[l] = k < length[l] ? index[l] : begin;
-    const auto terms = next_terms();
-    const Mask<Real> there = lengths > static_cast<MaskElement<Real>>(k);
-    for (size_t c = 0; c < count; ++c) sums[c] += there ? terms[c] : Vector<Real>{};
+    visit(block, j, lengths > static_cast<MaskElement<Real>>(k));
   }
+}
+
+/// Calls f(begin, lanes) for all particles, as many at a time as fit into a register.
+template <class Real, class F>
+void for_each_group(const State<Real>& state, F&& f) {
+  constexpr uint32_t width = lane_count<Real>;
+  const uint32_t n = state.params.n;
+  for_each_index((uint64_t{n} + width - 1) / width, state.threads,
+                 [&](uint32_t group) { f(group * width, std::min(width, n - group * width)); });
+}
+
+/// The sums of what term(i, j, dW) gives over the neighbours of the `lanes` particles from `begin` on, with
+/// `start` added before.
+template <class Real, size_t count, class Term>
+std::array<Vector<Real>, count> sums_of(const State<Real>& state, uint32_t begin, uint32_t lanes,
+                                        const std::array<Real, count>& start, const Term& term) {
+  const auto i = particles_from<Real>(begin, lanes);
+  const Real* gradient = state.gradient.data();
+  std::array<Vector<Real>, count> sums;
+  for (size_t c = 0; c < count; ++c) sums[c] = broadcast(start[c]);
+  walk(state, begin, lanes, [&](uint64_t block, const Particles<Real>& j, auto there) {
+    const Pair<Vector<Real>> dW{load(gradient + block), load(gradient + block + slice_width)};
+    const auto terms = term(i, j, dW);
+    for (size_t c = 0; c < count; ++c) sums[c] += those(there, terms[c]);
+  });
   return sums;
 }
 
@@ -71,10 +106,7 @@ std::array<Vector<Real>, count> sums_of(const State<Real>& state, uint32_t begin
 template <class Real, size_t count, class Term, class Finish>
 void sum_over_neighbours(const State<Real>& state, const std::array<Real, count>& start, const Term& term,
                          const Finish& finish) {
-  constexpr uint32_t width = lane_count<Real>;
-  const uint32_t n = state.params.n;
-  for_each_index((uint64_t{n} + width - 1) / width, state.threads, [&](uint32_t group) {
-    const uint32_t begin = group * width, lanes = std::min(width, n - begin);
+  for_each_group(state, [&](uint32_t begin, uint32_t lanes) {
     const auto sums = sums_of(state, begin, lanes, start, term);
     for (uint32_t l = 0; l < lanes; ++l) {
       std::array<Real, count> own;

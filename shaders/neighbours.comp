@@ -1,10 +1,9 @@
-// The neighbours of every particle, r < 2H, in ascending order, with their kernel gradients
-// [Hunkler 2022, algorithm 4]. In three passes: the lengths of all lists; a place for each slice of 16 particles, as
+// The neighbours of every particle, r < 2H, in ascending order [Hunkler 2022, algorithm 4]. In three passes: the lengths of all lists; a place for each slice of 16 particles, as
 // long as its longest list; and the entries. Where a slice stands is left to chance, what is in it is not. When the
 // places do not suffice, list_needed says how many would, and all lists are left empty.
 
 #include "lib/grid.glsl"
-#include "lib/kernel.glsl"
+#include "lib/vectors.glsl"
 
 const uint crowded = 0xffffffffu;
 
@@ -57,7 +56,6 @@ void run(uint i) {
   vec2 x_i = load(x, i);
   uint middle = cell_of(x_i);
   uint entry = list[i].x;
-  uint lane = entry % slice_width;
   for (uint row = 0u; row < 3u; ++row) {
     uint first = load(C, middle + row * params.columns - params.columns - 1u);
     uint last = load(C, middle + row * params.columns - params.columns + 2u);
@@ -65,11 +63,7 @@ void run(uint i) {
       precise vec2 x_ij = x_i - load(x, j);
       precise float r_squared = dot_of(x_ij, x_ij);
       if (!(r_squared < params.support_squared) || j == i) continue;
-      vec2 dW = kernel_gradient(x_ij, length_of(x_ij));
-      uint block = 2u * entry - lane;
       index[entry] = j;
-      gradient[block] = dW.x;
-      gradient[block + slice_width] = dW.y;
       entry += slice_width;
     }
   }

@@ -165,7 +165,8 @@ TEST(RunAgreement, IsRefusedToASpacingThatIsOffByAThousandth) {
   for (const StageAgreement& row : found.stages) {
     if (row.difference.max_ulp > 32) failed.insert(row.stage);
   }
-  for (const Stage stage : {Stage::neighbours, Stage::boundary, Stage::density, Stage::viscosity}) {
+  for (const Stage stage :
+       {Stage::neighbours, Stage::gradients, Stage::boundary, Stage::density, Stage::viscosity}) {
     EXPECT_TRUE(failed.contains(stage)) << info(stage).name;
   }
 }

@@ -62,6 +62,7 @@ cpu::State<Real> searched(const Scene& scene, const std::vector<Vec2>& positions
   cpu::grid_order(state);
   cpu::reorder(state);
   cpu::neighbours(state);
+  cpu::gradients(state);
   return state;
 }
 
