@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -28,11 +29,20 @@ std::unique_ptr<Backend> make_backend(const CaseKey& key, const gpu::Context* co
   return gpu::make_backend(*context);
 }
 
+/// The box, whose block has 40 columns and 30 rows, with `size` particles in it.
+Scene make_box(uint32_t size) {
+  const double refinement = std::sqrt(size / 1200.0), h = 0.05 / refinement;
+  const std::vector<std::string> overrides = {
+      fmt::format("particles.spacing={:.4}", h), fmt::format("time.dt={:.4}", 0.02 * h), "fluid.jitter=0.1",
+      fmt::format("fluid.rect.0.count=[{:.0f},{:.0f}]", 40 * refinement, 30 * refinement)};
+  return load_scene("wcsph_box", overrides);
+}
+
 }  // namespace
 
 std::string size_text(uint32_t size) {
   if (size >= 1'000'000) return fmt::format("{}M", size / 1'000'000);
-  return fmt::format("{}k", size / 1000);
+  return fmt::format("{:g}k", size / 1000.0);
 }
 
 std::string CaseKey::name() const {
@@ -41,6 +51,7 @@ std::string CaseKey::name() const {
 }
 
 Scene make_scene(const CaseKey& key) {
+  if (key.method == PressureMethod::wcsph) return make_box(key.size);
   const double h = spacing_for(key.size), dt = (key.method == PressureMethod::iisph ? 0.005 : 0.001) * h;
   const std::vector<std::string> overrides = {
       fmt::format("particles.spacing={:.4}", h), fmt::format("time.dt={:.4}", dt), "viscosity.coefficient=2",
@@ -50,6 +61,14 @@ Scene make_scene(const CaseKey& key) {
       // What `source` does to p is then the same however often it runs.
       "pressure.iisph.warm_start=1"};
   return load_scene("breaking_dam", overrides);
+}
+
+PressureMethod timed_with(Stage stage) {
+  for (const PressureMethod method : methods) {
+    const std::vector<Stage> planned = make_plan(needs_of(make_scene({method}))).stages();
+    if (std::find(planned.begin(), planned.end(), stage) != planned.end()) return method;
+  }
+  throw std::logic_error(fmt::format("{} is in no plan that is timed", info(stage).name));
 }
 
 Case::Case(const CaseKey& key, const gpu::Context* context)

@@ -1,6 +1,8 @@
-// What the benchmarks run on: the breaking dam, refined to a number of particles and brought off its lattice.
+// What the benchmarks run on: the breaking dam, or for WCSPH the box, refined to a number of particles and
+// brought off its lattice.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -31,13 +33,22 @@ struct CaseKey {
   std::string name() const;
 };
 
+inline constexpr std::array methods = {PressureMethod::iisph, PressureMethod::ssph, PressureMethod::wcsph};
+
+/// The first of the methods whose plan has `stage`: the one it is timed with.
+PressureMethod timed_with(Stage stage);
+
+/// Particles in the runs of another program that WCSPH steps are compared with.
+inline constexpr uint32_t peer_size = 7'200;
+
 /// Sweeps of every IISPH step that is timed: fixed, so that steps are the same work at all sizes.
 inline constexpr uint32_t sweeps_per_step = 5;
 
 /// Sizes as the tables name them: "1k", "1M".
 std::string size_text(uint32_t size);
 
-/// The scene of `key`: breaking dam with viscosity 2, dt = 0.005 h (SSPH 0.001 h), a jitter of 0.1 h.
+/// The scene of `key`: breaking dam with viscosity 2, dt = 0.005 h (SSPH 0.001 h), or for WCSPH the box with
+/// dt = 0.02 h; a jitter of 0.1 h.
 Scene make_scene(const CaseKey& key);
 
 class Case {

@@ -17,7 +17,8 @@ constexpr std::string_view method_text = R"(
 ## How it is measured
 
 - The scene is `breaking_dam`, refined to about the given number of fluid particles, with viscosity 2, time step 0.005 h
-  (SSPH 0.001 h) and a start displaced by up to 0.1 h, after ten steps: particles are no longer on a lattice.
+  (SSPH 0.001 h); for WCSPH `wcsph_box` with time step 0.02 h; and a start displaced by up to 0.1 h, after ten steps:
+  particles are no longer on a lattice.
 - Whole steps run, with a fixed number of sweeps; every repetition is the same few steps again. A step is timed by the
   wall clock, with everything that the simulator reads back. A stage is timed in these steps by the backend itself: by
   timestamps on the device, or, where a processor plays the graphics card, by the clock after waiting for the stage to
@@ -39,7 +40,7 @@ constexpr std::string_view software_text =
 
 const SizeTimes* beside_cpu(const GpuReport& report) {
   for (const SizeTimes& times : report.sizes) {
-    if (times.size == report.cpu.size && times.iisph) return &times;
+    if (times.size == report.cpu.size && !times.steps.empty()) return &times;
   }
   return nullptr;
 }
@@ -93,13 +94,14 @@ std::string left_out(const GpuReport& report) {
 std::string sweep_table(const GpuReport& report) {
   std::string text = "\n### Sweeps\n\n" + table_head("", names(report, false));
   const auto add = [&](const std::string& title, auto value) {
-    text += table_row(
-        title, size_cells(report, [&](const SizeTimes& times) { return number_text(value(*times.iisph)); }));
+    text += table_row(title, size_cells(report, [&](const SizeTimes& times) {
+                        return number_text(value(times.steps.at(PressureMethod::iisph)));
+                      }));
   };
   const auto rate = [](const StepTimes& times) { return times.sweep_bytes / times.sweep; };
-  text +=
-      table_row("fluid particles",
-                size_cells(report, [](const SizeTimes& times) { return std::to_string(times.iisph->n); }));
+  text += table_row("fluid particles", size_cells(report, [](const SizeTimes& times) {
+                      return std::to_string(times.steps.at(PressureMethod::iisph).n);
+                    }));
   add("neighbours per particle", [](const StepTimes& times) { return times.neighbours; });
   add("nanoseconds per particle", [](const StepTimes& times) { return 1e9 * times.sweep / times.n; });
   add("millions of particles per second",
@@ -113,13 +115,16 @@ std::string sweep_table(const GpuReport& report) {
 std::string step_table(const GpuReport& report) {
   std::string text = fmt::format("\n### Whole steps (IISPH: {} sweeps)\n\n", sweeps_per_step) +
                      table_head("", names(report, true));
-  for (const auto& [title, steps_of] :
-       {std::pair("IISPH", &SizeTimes::iisph), std::pair("SSPH", &SizeTimes::ssph)}) {
-    text += compared_row(fmt::format("{}, steps per second", title), report, Compare::more_is_faster,
-                         [&](const SizeTimes& times) { return 1 / (times.*steps_of)->step; });
+  for (const PressureMethod method : methods) {
+    const auto steps = [&](const SizeTimes& times) -> const StepTimes& { return times.steps.at(method); };
+    const std::string title(title_of(method));
+    text += compared_row(title + ", steps per second", report, Compare::more_is_faster,
+                         [&](const SizeTimes& times) { return 1 / steps(times).step; });
+    text += compared_row(title + ", millions of particles per second", report, Compare::more_is_faster,
+                         [&](const SizeTimes& times) { return 1e-6 * steps(times).n / steps(times).step; });
     text += compared_row(
-        fmt::format("{}, time in stages, %", title), report, Compare::nothing,
-        [&](const SizeTimes& times) { return 100 * (times.*steps_of)->in_stages / (times.*steps_of)->step; });
+        title + ", time in stages, %", report, Compare::nothing,
+        [&](const SizeTimes& times) { return 100 * steps(times).in_stages / steps(times).step; });
   }
   return text;
 }
@@ -128,12 +133,12 @@ std::string stage_table_text(const GpuReport& report) {
   std::string text = "\n### Stages, nanoseconds per particle\n\n" + table_head("stage", names(report, true));
   for (size_t i = 0; i < stage_count; ++i) {
     const Stage stage = static_cast<Stage>(i);
-    if (stage == Stage::relax) continue;  // of the start only
-    text += compared_row(
-        std::string(info(stage).name), report, Compare::less_is_faster, [&](const SizeTimes& times) {
-          const StepTimes& from = stage == Stage::state_equation ? *times.ssph : *times.iisph;
-          return 1e9 * from.stage[i] / from.n;
-        });
+    if (stage == Stage::relax || runs_once(stage)) continue;  // of the start only
+    text += compared_row(std::string(info(stage).name), report, Compare::less_is_faster,
+                         [&](const SizeTimes& times) {
+                           const StepTimes& from = times.steps.at(timed_with(stage));
+                           return 1e9 * from.stage[i] / from.n;
+                         });
   }
   return text;
 }

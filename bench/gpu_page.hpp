@@ -1,6 +1,7 @@
 // The page of docs/benchmarks about one GPU: what was found out about correctness, and the times.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,7 +14,7 @@ namespace sluice::bench {
 /// What was measured at one size, or why nothing was.
 struct SizeTimes {
   uint32_t size = 0;
-  std::optional<StepTimes> iisph, ssph;
+  std::map<PressureMethod, StepTimes> steps;  ///< of all methods, or of none
   std::string left_out;
 };
 

@@ -29,28 +29,27 @@ StepTimes times_of(const CaseKey& key, const gpu::Context* context) {
 }
 
 SizeTimes size_times(uint32_t size, const gpu::Context& context) {
-  SizeTimes times{size, {}, {}, ""};
+  SizeTimes times{size, {}, ""};
   if (context.software() && size > largest_on_software) {
     times.left_out = "it would take too long where a processor plays the graphics card";
     return times;
   }
   try {
-    CaseKey key{PressureMethod::iisph, size, Precision::single_, 1, Machine::gpu};
-    const StepTimes iisph = times_of(key, &context);
-    key.method = PressureMethod::ssph;
-    times.ssph = times_of(key, &context);
-    times.iisph = iisph;
+    for (const PressureMethod method : methods)
+      times.steps[method] = times_of({method, size, Precision::single_, 1, Machine::gpu}, &context);
   } catch (const EnvironmentError& error) {
     times.left_out = error.what();
+    times.steps.clear();
   }
   return times;
 }
 
 SizeTimes cpu_times() {
-  CaseKey key{PressureMethod::iisph, size_beside_cpu, Precision::single_, cpu::hardware_threads()};
-  SizeTimes times{size_beside_cpu, times_of(key, nullptr), {}, ""};
-  key.method = PressureMethod::ssph;
-  times.ssph = times_of(key, nullptr);
+  SizeTimes times{size_beside_cpu, {}, ""};
+  for (const PressureMethod method : methods) {
+    times.steps[method] =
+        times_of({method, size_beside_cpu, Precision::single_, cpu::hardware_threads()}, nullptr);
+  }
   return times;
 }
 

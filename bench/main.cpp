@@ -58,8 +58,10 @@ void add_benchmarks(bool million) {
   const auto store = std::make_shared<CaseStore>();
   std::vector<uint32_t> sizes = {1'000, 10'000, 100'000};
   if (million) sizes.push_back(1'000'000);
+  for (const int threads : {1, 2})
+    add_step_benchmarks({PressureMethod::wcsph, peer_size, Precision::single_, threads}, store);
   for (const uint32_t size : sizes) {
-    for (const PressureMethod method : {PressureMethod::iisph, PressureMethod::ssph}) {
+    for (const PressureMethod method : methods) {
       for (const Precision precision : {Precision::single_, Precision::double_}) {
         for (const int threads : {1, 2}) {
           const CaseKey key{method, size, precision, threads};

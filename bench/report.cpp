@@ -20,6 +20,18 @@ constexpr std::array<Precision, 2> precisions = {Precision::single_, Precision::
 const std::array<std::string, 5> grid_parts = {"grid_count", "grid_scan", "grid_scatter", "grid_order",
                                                "reorder"};
 
+/// What a WCSPH step is made of.
+const std::vector<std::pair<std::string, std::vector<Stage>>> wcsph_parts = {
+    {"search: grid, reorder, neighbours",
+     {Stage::grid_count, Stage::grid_scan, Stage::grid_scatter, Stage::grid_order, Stage::reorder,
+      Stage::neighbours}},
+    {"kernel gradients", {Stage::gradients}},
+    {"density: boundary, density, clamp_density", {Stage::boundary, Stage::density, Stage::clamp_density}},
+    {"forces: external, xsph, tait, pressure_acceleration",
+     {Stage::external, Stage::xsph, Stage::tait, Stage::pressure_acceleration}},
+    {"integration and diagnostics: predict, integrate, diagnostics, totals",
+     {Stage::predict, Stage::integrate, Stage::diagnostics, Stage::totals}}};
+
 std::string head(const std::string& title) {
   std::vector<std::string> names;
   for (const uint32_t size : sizes) names.push_back(size_text(size));
@@ -59,6 +71,45 @@ double Collector::number(const std::string& name, const std::string& counter) co
   return found->second.at(counter);
 }
 
+std::string Collector::wcsph_tables() const {
+  const std::vector<uint32_t> sizes = {peer_size, 100'000};
+  const auto key = [](uint32_t size, int threads) {
+    return CaseKey{PressureMethod::wcsph, size, Precision::single_, threads}.name();
+  };
+  const auto millions = [&](uint32_t size, int threads, const std::string& what) {
+    return 1e-6 / number(key(size, threads) + "/" + what, "per_particle");
+  };
+  const auto share = [&](uint32_t size, int threads, const std::vector<Stage>& stages) {
+    double sum = 0;
+    for (const Stage stage : stages)
+      sum += number(key(size, threads) + "/step", std::string(info(stage).name));
+    return 100 * sum / number(key(size, threads) + "/step", "per_particle");
+  };
+  const auto row = [&](const std::string& title, auto&& cell) {
+    std::vector<std::string> cells;
+    for (const uint32_t size : sizes)
+      cells.push_back(number_text(cell(size, 1)) + " / " + number_text(cell(size, 2)));
+    return table_row(title, cells);
+  };
+  std::vector<std::string> names;
+  for (const uint32_t size : sizes) names.push_back(size_text(size));
+
+  std::string page = "\n### WCSPH in float, millions of particle-steps per second, 1 / 2 threads\n\n";
+  page += table_head("", names);
+  page += table_row("yardstick, 1 thread", {number_text(millions(sizes[0], 1, "yardstick")),
+                                            number_text(millions(sizes[1], 1, "yardstick"))});
+  page += table_row("SPlisHSPlasH 2.16, on a machine of this kind", {"1.8 / 3.3", "1.0 / 1.8"});
+  page += row("Sluice", [&](uint32_t size, int threads) { return millions(size, threads, "step"); });
+  page += row("Sluice, times the yardstick", [&](uint32_t size, int threads) {
+    return millions(size, threads, "step") / millions(size, 1, "yardstick");
+  });
+  page += "\n### Where a WCSPH step goes, percent, 1 / 2 threads\n\n" + table_head("", names);
+  for (const auto& [title, stages] : wcsph_parts) {
+    page += row(title, [&](uint32_t size, int threads) { return share(size, threads, stages); });
+  }
+  return page;
+}
+
 std::string Collector::markdown() const {
   using enum PressureMethod;
   const auto ns = [&](PressureMethod method, Precision precision, const std::string& what) {
@@ -93,7 +144,7 @@ std::string Collector::markdown() const {
 
   page += fmt::format("\n### Whole steps per second (IISPH: {} sweeps), 1 / 2 threads\n\n", sweeps_per_step) +
           head("");
-  for (const PressureMethod method : {iisph, ssph}) {
+  for (const PressureMethod method : methods) {
     for (const Precision precision : precisions) {
       page += row_of(
           fmt::format("{}, {}", title_of(method), name_of(precision)), [&](uint32_t size, int threads) {
@@ -101,6 +152,8 @@ std::string Collector::markdown() const {
           });
     }
   }
+
+  page += wcsph_tables();
 
   for (const Precision precision : precisions) {
     page +=
@@ -111,12 +164,12 @@ std::string Collector::markdown() const {
         return number(CaseKey{iisph, size, precision, threads}.name() + "/grid", part + "_ns");
       });
     }
-    for (const StageInfo& stage : stage_table()) {
-      const std::string name(stage.name);
+    for (uint32_t i = 0; i < stage_count; ++i) {
+      const Stage stage = static_cast<Stage>(i);
+      const std::string name(info(stage).name);
       const bool is_grid = std::find(grid_parts.begin(), grid_parts.end(), name) != grid_parts.end();
-      if (!is_grid && name != "relax") {
-        page += row_of(name, ns(name == "state_equation" ? ssph : iisph, precision, name));
-      }
+      if (is_grid || stage == Stage::relax || runs_once(stage)) continue;
+      page += row_of(name, ns(timed_with(stage), precision, name));
     }
   }
   return page;

@@ -21,6 +21,7 @@ class Collector : public benchmark::ConsoleReporter {
   std::string markdown() const;
 
  private:
+  std::string wcsph_tables() const;
   double number(const std::string& name, const std::string& counter) const;
 
   std::map<std::string, std::map<std::string, double>> best_;  ///< counters by the benchmark's name

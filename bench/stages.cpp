@@ -45,8 +45,7 @@ void add_stage_benchmarks(const CaseKey& key, const std::shared_ptr<CaseStore>& 
   for (const Stage stage : plan.stages()) {
     if (std::find(added.begin(), added.end(), stage) != added.end()) continue;
     added.push_back(stage);
-    // The stages both methods share are timed with IISPH.
-    if (!iisph && stage != Stage::state_equation) continue;
+    if (timed_with(stage) != key.method || runs_once(stage)) continue;
     add(key, std::string(info(stage).name),
         [=](benchmark::State& state) { time_stage(state, store->frozen(key), stage); });
   }

@@ -3,27 +3,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace sluice::bench {
 namespace {
 
-/// A field of the fluid in id order; `components` values per particle.
-std::vector<double> by_id(const Backend& backend, Field field, uint32_t fluid, uint32_t components) {
-  std::vector<uint32_t> id(fluid);
-  backend.download(Field::id, id);
-  std::vector<double> values(size_t{fluid} * components), sorted(values.size());
-  backend.download(field, values);
-  for (size_t i = 0; i < fluid; ++i) {
-    for (size_t k = 0; k < components; ++k) sorted[id[i] * components + k] = values[i * components + k];
-  }
-  return sorted;
-}
+using Gradient = YardstickKernel::Gradient;
 
 }  // namespace
 
 Yardstick::Yardstick(const Backend& backend, const Params& params, const Samples& samples)
-    : params_(params.to<float>()), H_(static_cast<float>(1 / params.inverse_H)), fluid_(params.n) {
+    : params_(params.to<float>()),
+      fluid_(params.n),
+      kernel_{static_cast<float>(1 / params.inverse_H)},
+      grid_(params_, kernel_.H) {
   const auto x = by_id(backend, Field::x, fluid_, 2);
   const auto rho = by_id(backend, Field::rho, fluid_, 1), p = by_id(backend, Field::p, fluid_, 1);
   const auto A_ii = by_id(backend, Field::A_ii, fluid_, 1), s = by_id(backend, Field::s, fluid_, 1);
@@ -35,52 +27,15 @@ Yardstick::Yardstick(const Backend& backend, const Params& params, const Samples
   for (const Vec2 b : samples.boundary) {
     particles_.push_back({real(b.x), real(b.y), 0, 0, params_.rho0, 0, 0, 0, 0, true});
   }
-  build_grid();
+  grid_.build(particles_);
 }
 
-void Yardstick::build_grid() {
-  C_.assign(params_.columns * params_.rows + 1, 0);
-  L_.resize(particles_.size());
-  for (Particle& particle : particles_) {
-    particle.cell = cell_of(params_, glm::vec2(particle.x, particle.y));
-    C_[particle.cell]++;
-  }
-  for (size_t c = 1; c < C_.size(); c++) C_[c] += C_[c - 1];
-  for (uint32_t i = 0; i < particles_.size(); i++) {
-    C_[particles_[i].cell]--;
-    L_[C_[particles_[i].cell]] = i;
-  }
-}
-
-Yardstick::Gradient Yardstick::kernel_gradient(float x, float y, float r) const {
-  const float alpha = 5 / (14 * std::numbers::pi_v<float> * H_ * H_);
-  const float q = r / H_;
-  float slope = 0;
-  if (q < 1) {
-    slope = -3 * (2 - q) * (2 - q) + 12 * (1 - q) * (1 - q);
-  } else if (q < 2) {
-    slope = -3 * (2 - q) * (2 - q);
-  }
-  if (r == 0) return {0, 0};
-  return {alpha * slope * x / (r * H_), alpha * slope * y / (r * H_)};
-}
-
-/// Calls f(j, dW_ij) for all fluid and boundary neighbours, found in the 9 cells around the particle.
+/// Calls f(j, dW_ij) for all neighbours.
 template <class F>
 void Yardstick::for_each_neighbour(const Particle& particle, F&& f) const {
-  for (int row = -1; row <= 1; row++) {
-    for (int column = -1; column <= 1; column++) {
-      const uint32_t cell = static_cast<uint32_t>(static_cast<int>(particle.cell) +
-                                                  row * static_cast<int>(params_.columns) + column);
-      for (uint32_t place = C_[cell]; place < C_[cell + 1]; place++) {
-        const Particle& other = particles_[L_[place]];
-        if (&other == &particle) continue;
-        const float x = particle.x - other.x, y = particle.y - other.y;
-        const float r = std::sqrt(x * x + y * y);
-        if (r < 2 * H_) f(other, kernel_gradient(x, y, r));
-      }
-    }
-  }
+  grid_.for_each_neighbour(particles_, particle, [&](const Particle& other, float x, float y, float r) {
+    f(other, kernel_.dW(x, y, r));
+  });
 }
 
 void Yardstick::pressure_acceleration(Particle& particle) const {
@@ -138,14 +93,7 @@ std::vector<double> Yardstick::pressures() const {
 }
 
 double Yardstick::difference(const Backend& backend) const {
-  const std::vector<double> own = pressures(), expected = by_id(backend, Field::p, fluid_, 1);
-  double largest = 0, difference = 0;
-  for (size_t i = 0; i < fluid_; ++i) {
-    largest = std::max(largest, expected[i]);
-    const double here = std::abs(own[i] - expected[i]);
-    if (!(here <= difference)) difference = here;  // so that NaN is not lost
-  }
-  return difference / largest;
+  return largest_difference(pressures(), by_id(backend, Field::p, fluid_, 1));
 }
 
 }  // namespace sluice::bench

@@ -10,8 +10,7 @@
 #include <span>
 #include <vector>
 
-#include "core/backend.hpp"
-#include "core/params.hpp"
+#include "bench/yardstick_parts.hpp"
 #include "core/sampling.hpp"
 
 namespace sluice::bench {
@@ -39,22 +38,16 @@ class Yardstick {
     uint32_t cell;
     bool is_boundary;
   };
-  struct Gradient {
-    float x, y;
-  };
-
-  void build_grid();
-  Gradient kernel_gradient(float x, float y, float r) const;
   template <class F>
   void for_each_neighbour(const Particle& particle, F&& f) const;
   void pressure_acceleration(Particle& particle) const;
   float change_of_density(const Particle& particle) const;
 
   ParamsOf<float> params_;
-  float H_;
   uint32_t fluid_;
+  YardstickKernel kernel_;
+  YardstickGrid<Particle> grid_;
   std::vector<Particle> particles_;
-  std::vector<uint32_t> C_, L_;
 };
 
 }  // namespace sluice::bench

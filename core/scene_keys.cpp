@@ -165,7 +165,7 @@ constexpr std::array keys{
              "velocities smoothed over the neighbours, fluid only [WCSPH page].",
              viscosity_models},
     SceneKey{"viscosity.coefficient", number, "length²/time", required_key, not_negative,
-             "nu of \"laplacian\"; alpha of \"xsph\", a pure number, from 0 to about 1."},
+             "nu of \"laplacian\"; alpha of \"xsph\", a pure number, up to about 2."},
 
     SceneKey{"pressure.method", choice, "", required_key, any, "The method of this run.", pressure_methods},
 

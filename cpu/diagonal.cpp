@@ -5,6 +5,7 @@
 // 2022, eq. 5.13]: printed there with separate inner sums for fluid and boundary; one sum over all
 // neighbours, as in algorithm 6, is what gives the published iteration counts.
 #include "cpu/stages.hpp"
+#include "cpu/sums.hpp"
 
 namespace sluice::cpu {
 
@@ -12,15 +13,10 @@ template <class Real>
 void diagonal(State<Real>& state) {
   const ParamsOf<Real>& params = state.params;
   const bool walls = state.needs.boundary, mirror = walls && !state.needs.pseudo_mass;
-  for_each_index(params.n, state.threads, [&](uint32_t i) {
-    glm::vec<2, Real> sum{};
-    Real squares{};
-    for_each_neighbour(state, i, [&](uint32_t, glm::vec<2, Real> dW) {
-      sum += dW;
-      squares += glm::dot(dW, dW);
-    });
-    sum = params.m * sum;
-    squares = params.m * params.m * squares;
+  const auto term = [](auto, auto, auto dW) { return std::array{dW.x, dW.y, dot(dW, dW)}; };
+  sum_over_neighbours(state, std::array<Real, 3>{}, term, [&](uint32_t i, auto sums) {
+    glm::vec<2, Real> sum = params.m * glm::vec<2, Real>(sums[0], sums[1]);
+    Real squares = params.m * params.m * sums[2];
     if (walls) sum += state.wall_gradient[i];
     if (mirror) squares += state.wall_gradient_squares[i];
     const Real scale = params.dt / state.rho[i];

@@ -2,6 +2,7 @@
 //   s_i = w (rho0 - rho_i) - dt ( m sum_j (v*_i - v*_j).dW_ij + v*_i.B_i )
 // with source weight w, 1 in the thesis.
 #include "cpu/stages.hpp"
+#include "cpu/sums.hpp"
 
 namespace sluice::cpu {
 
@@ -9,13 +10,12 @@ template <class Real>
 void source(State<Real>& state) {
   const ParamsOf<Real>& params = state.params;
   const bool walls = state.needs.boundary;
-  for_each_index(params.n, state.threads, [&](uint32_t i) {
-    const glm::vec<2, Real> v_i = state.v_star[i];
-    Real sum{};
-    for_each_neighbour(state, i,
-                       [&](uint32_t j, glm::vec<2, Real> dW) { sum += glm::dot(v_i - state.v_star[j], dW); });
-    sum = params.m * sum;
-    if (walls) sum += glm::dot(v_i, state.wall_gradient[i]);
+  const auto term = [&](auto i, auto j, auto dW) {
+    return std::array{dot(i(state.v_star) - j(state.v_star), dW)};
+  };
+  sum_over_neighbours(state, std::array<Real, 1>{}, term, [&](uint32_t i, auto sums) {
+    Real sum = params.m * sums[0];
+    if (walls) sum += glm::dot(state.v_star[i], state.wall_gradient[i]);
     state.s[i] = params.source_weight * (params.rho0 - state.rho[i]) - params.dt * sum;
   });
 }

@@ -66,18 +66,6 @@ void for_each_chunk(uint32_t n, int threads, F&& f) {
   for_each_index((uint64_t{n} + chunk_width - 1) / chunk_width, threads, call);
 }
 
-/// Calls f(j, dW_ij) for the neighbours j of particle i, in the order of the list.
-template <class Real, class F>
-void for_each_neighbour(const State<Real>& state, uint32_t i, F&& f) {
-  const uint64_t first = state.list[i].x;
-  const uint64_t lane = first % slice_width;
-  for (uint32_t k = 0; k < state.list[i].y; ++k) {
-    const uint64_t entry = first + uint64_t{slice_width} * k;
-    const uint64_t block = 2 * entry - lane;
-    f(state.index[entry], glm::vec<2, Real>(state.gradient[block], state.gradient[block + slice_width]));
-  }
-}
-
 /// Calls f(first, last) for the three ranges of places in L, one per row of cells, that hold all particles in
 /// reach of a position in `cell`; `C` gives the first place of each cell.
 template <class F>

@@ -19,11 +19,21 @@ TEST(BenchGpu, EveryStageOfTheStepHasATime) {
   const bench::StepTimes times = bench::time_steps(subject);
   EXPECT_EQ(times.n, subject.n());
   EXPECT_GT(times.in_stages, 0);
-  const std::vector<Stage> planned = subject.plan().stages();
+  const std::vector<Stage> planned = subject.plan().stages();  // of which none runs once
   for (uint32_t i = 0; i < stage_count; ++i) {
     const Stage stage = static_cast<Stage>(i);
     const bool runs = std::find(planned.begin(), planned.end(), stage) != planned.end();
     EXPECT_EQ(runs, !std::isnan(times.stage[i])) << info(stage).name;
+  }
+}
+
+TEST(BenchGpu, EveryStageIsTimedWithAMethodThatHasIt) {
+  for (uint32_t i = 0; i < stage_count; ++i) {
+    const Stage stage = static_cast<Stage>(i);
+    if (stage == Stage::relax) continue;
+    const Plan plan = make_plan(needs_of(bench::make_scene({bench::timed_with(stage), small})));
+    const std::vector<Stage> planned = plan.stages();
+    EXPECT_NE(std::find(planned.begin(), planned.end(), stage), planned.end()) << info(stage).name;
   }
 }
 
@@ -69,8 +79,10 @@ TEST(BenchGpu, PagesAreNamedAfterTheGpu) {
 TEST(BenchGpu, PageSaysWhichSizeWasLeftOutAndWhy) {
   bench::GpuReport report;
   const bench::StepTimes measured;
-  report.cpu = {100'000, measured, measured, ""};
-  report.sizes = {{10'000, measured, measured, ""}, {10'000'000, {}, {}, "graphics memory is full"}};
+  std::map<PressureMethod, bench::StepTimes> steps;
+  for (const PressureMethod method : bench::methods) steps[method] = measured;
+  report.cpu = {100'000, steps, ""};
+  report.sizes = {{10'000, steps, ""}, {10'000'000, {}, "graphics memory is full"}};
   const std::string page = bench::gpu_page(report);
   EXPECT_NE(page.find("| fluid particles | 0 | left out |"), std::string::npos);
   EXPECT_NE(page.find("10M left out: graphics memory is full"), std::string::npos);

@@ -32,6 +32,9 @@ TEST(CliWarnings, ViscosityBeyondItsLimit) {
       {"--steps", "1", "--set", "viscosity.coefficient=1500"},
       "viscosity.coefficient dt / spacing^2 is 0.94, above the limit of an explicit viscosity, about 0.5");
   EXPECT_EQ(warnings_of({"--steps", "1", "--set", "viscosity.coefficient=799"}), "");
+  expect_warning({"--steps", "1", "--set", "viscosity={model=\"xsph\",coefficient=2.5}"},
+                 "viscosity.coefficient is 2.5, and above about 2 XSPH");
+  EXPECT_EQ(warnings_of({"--steps", "1", "--set", "viscosity={model=\"xsph\",coefficient=1}"}), "");
 }
 
 TEST(CliWarnings, StepsThatDidNotConverge) {

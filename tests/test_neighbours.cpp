@@ -91,9 +91,8 @@ TEST(Neighbours, ListIsAscendingAndTheSameForAnyNumberOfThreads) {
     for (uint32_t i = 0; i < one.params.n; ++i) {
       std::vector<uint32_t> a, b;
       std::vector<glm::dvec2> dW_a, dW_b;
-      cpu::for_each_neighbour(one, i, [&](uint32_t j, glm::dvec2 dW) { a.push_back(j), dW_a.push_back(dW); });
-      cpu::for_each_neighbour(many, i,
-                              [&](uint32_t j, glm::dvec2 dW) { b.push_back(j), dW_b.push_back(dW); });
+      for_each_neighbour(one, i, [&](uint32_t j, glm::dvec2 dW) { a.push_back(j), dW_a.push_back(dW); });
+      for_each_neighbour(many, i, [&](uint32_t j, glm::dvec2 dW) { b.push_back(j), dW_b.push_back(dW); });
       ASSERT_TRUE(std::is_sorted(a.begin(), a.end()));
       ASSERT_EQ(a, b);
       ASSERT_EQ(dW_a, dW_b);

@@ -66,7 +66,7 @@ void expect_plain_lists(const std::vector<Vec2>& positions, int threads) {
   for (uint32_t i = 0; i < state.params.n; ++i) {
     std::vector<uint32_t> index;
     std::vector<Vec<Real>> gradients, expected;
-    cpu::for_each_neighbour(state, i, [&](uint32_t j, Vec<Real> dW) {
+    for_each_neighbour(state, i, [&](uint32_t j, Vec<Real> dW) {
       index.push_back(j);
       gradients.push_back(dW);
       const Vec<Real> x_ij = state.x[i] - state.x[j];
@@ -118,6 +118,7 @@ cpu::State<Real> prepared(const std::vector<Vec2>& positions) {
   auto state = searched<Real>(open_scene(20), positions, 2);
   const uint32_t n = state.params.n;
   state.params.nu = Real(0.3);
+  state.params.xsph = Real(0.7);
   const auto values = random_positions(3 * n, {0.5, -1}, {1.5, 1}, 9);
   for (uint32_t i = 0; i < n; ++i) {
     state.rho.push_back(static_cast<Real>(values[3 * i].x));
@@ -147,33 +148,74 @@ void expect_plain_sums(const std::vector<Vec2>& positions) {
   auto state = prepared<Real>(positions);
   const auto& params = state.params;
   std::vector<Real> rho;
-  std::vector<Vec<Real>> a_p, a_n;
+  std::vector<Vec<Real>> a_p, a_n, smoothed;
   for (uint32_t i = 0; i < params.n; ++i) {
     Real W = cpu::kernel(params, Real(0));
-    Vec<Real> pressure{}, viscous{};
-    cpu::for_each_neighbour(state, i, [&](uint32_t j, Vec<Real> dW) {
+    Vec<Real> pressure{}, viscous{}, differences{};
+    for_each_neighbour(state, i, [&](uint32_t j, Vec<Real> dW) {
       const Vec<Real> x_ij = state.x[i] - state.x[j];
       W += cpu::kernel(params, glm::length(x_ij));
       pressure += (state.q[i] + state.q[j]) * dW;
       const Real approach = glm::dot(state.v[i] - state.v[j], x_ij);
+      differences += (cpu::kernel(params, glm::length(x_ij)) / state.rho[j]) * (state.v[i] - state.v[j]);
       viscous += (approach / ((glm::dot(x_ij, x_ij) + params.viscosity_floor) * state.rho[j])) * dW;
     });
     rho.push_back(params.m * W);
     a_p.push_back(-(params.m * pressure));
     a_n.push_back(state.a_n[i] + (Real(2) * params.nu) * (params.m * viscous));
+    smoothed.push_back(a_n.back() - params.xsph * differences);
   }
   cpu::viscosity(state);
+  EXPECT_TRUE(same_bits(state.a_n, a_n));
+  cpu::xsph(state);
+  EXPECT_TRUE(same_bits(state.a_n, smoothed));
   cpu::pressure_acceleration(state);
   cpu::density(state);
-  EXPECT_TRUE(same_bits(state.a_n, a_n));
   EXPECT_TRUE(same_bits(state.a_p, a_p));
   EXPECT_TRUE(same_bits(state.rho, rho));
+}
+
+/// The sums of the linear system, from velocities, densities and accelerations as they are.
+template <class Real>
+void expect_plain_system(const std::vector<Vec2>& positions) {
+  auto state = prepared<Real>(positions);
+  auto& params = state.params;
+  params.dt = Real(0.1);
+  params.source_weight = 1;
+  state.needs.linear_system = true;
+  state.v_star = state.v;
+  state.a_p = state.a_n;
+  for (auto* field : {&state.A_ii, &state.s, &state.Ap}) field->resize(params.n);
+  std::vector<Real> A_ii, s, Ap;
+  for (uint32_t i = 0; i < params.n; ++i) {
+    Vec<Real> sum{};
+    Real squares{}, divergence{}, change{};
+    for_each_neighbour(state, i, [&](uint32_t j, Vec<Real> dW) {
+      sum += dW;
+      squares += glm::dot(dW, dW);
+      divergence += glm::dot(state.v_star[i] - state.v_star[j], dW);
+      change += glm::dot(state.a_p[i] - state.a_p[j], dW);
+    });
+    sum = params.m * sum;
+    const Real scale = params.dt / state.rho[i];
+    A_ii.push_back(-(scale * scale) * (glm::dot(sum, sum) + params.m * params.m * squares));
+    s.push_back(params.source_weight * (params.rho0 - state.rho[i]) - params.dt * (params.m * divergence));
+    Ap.push_back((params.dt * params.dt) * (params.m * change));
+  }
+  cpu::diagonal(state);
+  cpu::source(state);
+  cpu::pressure_operator(state);
+  EXPECT_TRUE(same_bits(state.A_ii, A_ii));
+  EXPECT_TRUE(same_bits(state.s, s));
+  EXPECT_TRUE(same_bits(state.Ap, Ap));
 }
 
 TEST(SideBySide, SumsAreThoseOfOneParticleAtATime) {
   for (const auto& positions : cases()) {
     expect_plain_sums<float>(positions);
     expect_plain_sums<double>(positions);
+    expect_plain_system<float>(positions);
+    expect_plain_system<double>(positions);
   }
 }
 

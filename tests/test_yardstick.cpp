@@ -2,6 +2,7 @@
 // compare the same work.
 #include <gtest/gtest.h>
 
+#include "bench/wcsph_yardstick.hpp"
 #include "bench/yardstick.hpp"
 #include "tests/support/simulation.hpp"
 
@@ -47,6 +48,23 @@ TEST(YardstickTest, SweepEqualsTheBackends) {
     EXPECT_NEAR(static_cast<double>(error), sums[0] / sums[1], tolerance * sums[0] / sums[1]);
   }
   EXPECT_GT(yardstick.difference(*simulation.backend), 100 * tolerance);
+}
+
+TEST(YardstickTest, WcsphStepsEqualTheBackends) {
+  Simulation simulation(shipped("wcsph_box", {"fluid.jitter=0.2"}), Precision::single_);
+  simulation.run(300);  // among the walls
+  const Params params = make_params(simulation.scene, static_cast<uint32_t>(simulation.samples.fluid.size()));
+  bench::WcsphYardstick yardstick(*simulation.backend, params, simulation.samples);
+  EXPECT_EQ(yardstick.difference(*simulation.backend), 0);
+  simulation.run(1);
+  EXPECT_GT(yardstick.difference(*simulation.backend), 100 * tolerance) << "a step changes nothing";
+  yardstick.step();
+  EXPECT_LT(yardstick.difference(*simulation.backend), tolerance);
+  for (int step = 0; step < 5; ++step) {
+    simulation.run(1);
+    yardstick.step();
+  }
+  EXPECT_LT(yardstick.difference(*simulation.backend), 10 * tolerance);
 }
 
 }  // namespace

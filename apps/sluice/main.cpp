@@ -27,7 +27,7 @@ int fail(int code, const std::string& message) {
 /// so this one starts again, once; if it can't, it goes on as it is.
 void limit_spinning(char** argv) {
   if (std::getenv("GOMP_SPINCOUNT") != nullptr || std::getenv("OMP_WAIT_POLICY") != nullptr) return;
-  setenv("GOMP_SPINCOUNT", "2000", 1);
+  setenv("GOMP_SPINCOUNT", "5000", 1);
   execv("/proc/self/exe", argv);
 }
 

@@ -18,6 +18,12 @@ void warn_of_unused_opengl(const MachineOptions& options, bool quiet) {
 }
 
 void warn_of_viscous_limit(const Scene& scene, bool quiet) {
+  if (scene.viscosity_model == ViscosityModel::xsph && scene.viscosity > 2) {
+    warn(quiet,
+         fmt::format("viscosity.coefficient is {:g}, and above about 2 XSPH no longer smooths velocities "
+                     "but overshoots; use a smaller one",
+                     scene.viscosity));
+  }
   if (scene.viscosity_model != ViscosityModel::laplacian) return;
   const double number = scene.viscosity * scene.dt / (scene.spacing * scene.spacing);
   if (number <= 0.5) return;

@@ -70,7 +70,7 @@ template <class Real>
 std::vector<std::set<uint32_t>> neighbour_sets(const cpu::State<Real>& state) {
   std::vector<std::set<uint32_t>> sets(state.params.n);
   for (uint32_t i = 0; i < state.params.n; ++i) {
-    cpu::for_each_neighbour(state, i, [&](uint32_t j, auto) { sets[state.id[i]].insert(state.id[j]); });
+    for_each_neighbour(state, i, [&](uint32_t j, auto) { sets[state.id[i]].insert(state.id[j]); });
   }
   return sets;
 }

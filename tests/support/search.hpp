@@ -24,6 +24,18 @@ template <class Real>
 cpu::State<Real> searched(const Scene& scene, const std::vector<Vec2>& positions, int threads = 1,
                           uint64_t list_entries = 0);
 
+/// Calls f(j, dW_ij) for the neighbours j of particle i, in the order of the list.
+template <class Real, class F>
+void for_each_neighbour(const cpu::State<Real>& state, uint32_t i, F&& f) {
+  const uint64_t first = state.list[i].x;
+  const uint64_t lane = first % slice_width;
+  for (uint32_t k = 0; k < state.list[i].y; ++k) {
+    const uint64_t entry = first + uint64_t{slice_width} * k;
+    const uint64_t block = 2 * entry - lane;
+    f(state.index[entry], glm::vec<2, Real>(state.gradient[block], state.gradient[block + slice_width]));
+  }
+}
+
 /// Neighbour ids of each particle, by id.
 template <class Real>
 std::vector<std::set<uint32_t>> neighbour_sets(const cpu::State<Real>& state);
