@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <stdexcept>
 
 #include "bench/cases.hpp"
 #include "bench/tables.hpp"
@@ -31,6 +32,18 @@ const std::vector<std::pair<std::string, std::vector<Stage>>> wcsph_parts = {
      {Stage::external, Stage::xsph, Stage::tait, Stage::pressure_acceleration}},
     {"integration and diagnostics: predict, integrate, diagnostics, totals",
      {Stage::predict, Stage::integrate, Stage::diagnostics, Stage::totals}}};
+
+/// Throws when the parts leave out a stage of the step, or have one twice.
+void require_all_stages(const std::vector<std::pair<std::string, std::vector<Stage>>>& parts) {
+  std::vector<Stage> listed, planned;
+  for (const auto& part : parts) listed.insert(listed.end(), part.second.begin(), part.second.end());
+  for (const Stage stage : make_plan(needs_of(make_scene({PressureMethod::wcsph}))).stages()) {
+    if (!runs_once(stage)) planned.push_back(stage);
+  }
+  std::ranges::sort(listed);
+  std::ranges::sort(planned);
+  if (listed != planned) throw std::logic_error("the parts of a WCSPH step are not its stages");
+}
 
 std::string head(const std::string& title) {
   std::vector<std::string> names;
@@ -72,7 +85,7 @@ double Collector::number(const std::string& name, const std::string& counter) co
 }
 
 std::string Collector::wcsph_tables() const {
-  const std::vector<uint32_t> sizes = {peer_size, 100'000};
+  const std::vector<uint32_t> compared = {peer_size, 100'000};
   const auto key = [](uint32_t size, int threads) {
     return CaseKey{PressureMethod::wcsph, size, Precision::single_, threads}.name();
   };
@@ -87,23 +100,24 @@ std::string Collector::wcsph_tables() const {
   };
   const auto row = [&](const std::string& title, auto&& cell) {
     std::vector<std::string> cells;
-    for (const uint32_t size : sizes)
+    for (const uint32_t size : compared)
       cells.push_back(number_text(cell(size, 1)) + " / " + number_text(cell(size, 2)));
     return table_row(title, cells);
   };
   std::vector<std::string> names;
-  for (const uint32_t size : sizes) names.push_back(size_text(size));
+  for (const uint32_t size : compared) names.push_back(size_text(size));
 
   std::string page = "\n### WCSPH in float, millions of particle-steps per second, 1 / 2 threads\n\n";
   page += table_head("", names);
-  page += table_row("yardstick, 1 thread", {number_text(millions(sizes[0], 1, "yardstick")),
-                                            number_text(millions(sizes[1], 1, "yardstick"))});
-  page += table_row("SPlisHSPlasH 2.16, on a machine of this kind", {"1.8 / 3.3", "1.0 / 1.8"});
+  page += table_row("yardstick, 1 thread", {number_text(millions(compared[0], 1, "yardstick")),
+                                            number_text(millions(compared[1], 1, "yardstick"))});
+  page += table_row("SPlisHSPlasH 2.16 (quoted, see above)", {"1.8 / 3.3", "1.0 / 1.8"});
   page += row("Sluice", [&](uint32_t size, int threads) { return millions(size, threads, "step"); });
   page += row("Sluice, times the yardstick", [&](uint32_t size, int threads) {
     return millions(size, threads, "step") / millions(size, 1, "yardstick");
   });
   page += "\n### Where a WCSPH step goes, percent, 1 / 2 threads\n\n" + table_head("", names);
+  require_all_stages(wcsph_parts);
   for (const auto& [title, stages] : wcsph_parts) {
     page += row(title, [&](uint32_t size, int threads) { return share(size, threads, stages); });
   }

@@ -45,12 +45,12 @@ class FieldSet {
 
 // clang-format off
 #define SLUICE_STAGES(STAGE) \
-  STAGE(pseudo_mass)                                                                                            \
-  STAGE(grid_count) STAGE(grid_scan) STAGE(grid_scatter) STAGE(grid_order) STAGE(reorder) STAGE(neighbours)     \
-  STAGE(gradients) STAGE(boundary) STAGE(density) STAGE(clamp_density)                                                           \
-  STAGE(external) STAGE(viscosity) STAGE(xsph) STAGE(predict) STAGE(state_equation) STAGE(tait)                 \
-  STAGE(diagonal) STAGE(source) STAGE(warm_start)                                                               \
-  STAGE(pressure_acceleration) STAGE(pressure_operator) STAGE(pressure_update) STAGE(residual)                  \
+  STAGE(pseudo_mass)                                                                                           \
+  STAGE(grid_count) STAGE(grid_scan) STAGE(grid_scatter) STAGE(grid_order) STAGE(reorder) STAGE(neighbours)    \
+  STAGE(gradients) STAGE(boundary) STAGE(density) STAGE(clamp_density)                                         \
+  STAGE(external) STAGE(viscosity) STAGE(xsph) STAGE(predict) STAGE(state_equation) STAGE(tait)                \
+  STAGE(diagonal) STAGE(source) STAGE(warm_start)                                                              \
+  STAGE(pressure_acceleration) STAGE(pressure_operator) STAGE(pressure_update) STAGE(residual)                 \
   STAGE(integrate) STAGE(relax) STAGE(diagnostics) STAGE(totals)
 // clang-format on
 

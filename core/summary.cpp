@@ -24,11 +24,12 @@ double sweeps_per_second(const RunSummary& summary) {
   return seconds > 0 ? sweeps / seconds : 0;
 }
 
-/// The planned stages without repetition.
+/// The stages of a step without repetition. What runs once, before the first step, is not timed.
 std::vector<Stage> distinct_stages(const Plan& plan) {
   std::vector<Stage> distinct;
   for (const Stage stage : plan.stages()) {
-    if (std::find(distinct.begin(), distinct.end(), stage) == distinct.end()) distinct.push_back(stage);
+    const bool known = std::find(distinct.begin(), distinct.end(), stage) != distinct.end();
+    if (!known && !runs_once(stage)) distinct.push_back(stage);
   }
   return distinct;
 }

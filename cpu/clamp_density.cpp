@@ -9,7 +9,7 @@ template <class Real>
 void clamp_density(State<Real>& state) {
   const Real rho0 = state.params.rho0;
   for_each_index(state.params.n, state.threads,
-                 [&](uint32_t i) { state.rho[i] = larger(rho0, state.rho[i]); });
+                 [&](uint32_t i) { state.rho[i] = at_least(rho0, state.rho[i]); });
 }
 
 }  // namespace sluice::cpu

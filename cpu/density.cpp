@@ -8,7 +8,7 @@ namespace sluice::cpu {
 
 template <class Real>
 void density(State<Real>& state) {
-  const ParamsOf<Real>& params = state.params;
+  const ParamsOf<Real> params = state.params;  // a copy, which no store can change
   const bool walls = state.needs.boundary;
   const auto term = [&](auto i, auto j, auto) {
     const auto x_ij = i(state.x) - j(state.x);

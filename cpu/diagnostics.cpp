@@ -17,7 +17,7 @@ void diagnostics(State<Real>& state) {
     const auto at = [&](Total total) -> Real& { return sums[static_cast<uint32_t>(total)]; };
     for (uint32_t i = first; i < last; ++i) {
       const glm::vec<2, Real> x = state.x_in[i], v = state.v_in[i];
-      const Real compression = larger(Real(0), (state.rho[i] - params.rho0) / params.rho0);
+      const Real compression = at_least(Real(0), (state.rho[i] - params.rho0) / params.rho0);
       const Real speed_squared = glm::dot(v, v);
       at(Total::density) += state.rho[i];
       at(Total::compression) += compression;

@@ -102,17 +102,9 @@ inline Vector<double> gather(const double* from, const uint32_t* j) {
   return Vector<double>{from[j[0]], from[j[1]]};
 }
 
-#ifdef __SSE2__
-inline Vector<float> square_root(Vector<float> values) { return _mm_sqrt_ps(values); }
-inline Vector<double> square_root(Vector<double> values) { return _mm_sqrt_pd(values); }
-/// Bit l is whether lane l of the mask is set.
-inline uint32_t bits_of(Mask<float> mask) {
-  return static_cast<uint32_t>(_mm_movemask_ps(reinterpret_cast<__m128>(mask)));
-}
-inline uint32_t bits_of(Mask<double> mask) {
-  return static_cast<uint32_t>(_mm_movemask_pd(reinterpret_cast<__m128d>(mask)));
-}
-#else
+/// What follows twice, once for every processor and once for those with SSE2.
+namespace by_lane {
+
 template <class V>
 V square_root(V values) {
   for (uint32_t lane = 0; lane < sizeof(V) / sizeof(values[0]); ++lane)
@@ -126,6 +118,22 @@ uint32_t bits_of(V mask) {
     bits |= (mask[lane] != 0 ? 1u : 0u) << lane;
   return bits;
 }
+
+}  // namespace by_lane
+
+#ifdef __SSE2__
+inline Vector<float> square_root(Vector<float> values) { return _mm_sqrt_ps(values); }
+inline Vector<double> square_root(Vector<double> values) { return _mm_sqrt_pd(values); }
+/// Bit l is whether lane l of the mask is set.
+inline uint32_t bits_of(Mask<float> mask) {
+  return static_cast<uint32_t>(_mm_movemask_ps(reinterpret_cast<__m128>(mask)));
+}
+inline uint32_t bits_of(Mask<double> mask) {
+  return static_cast<uint32_t>(_mm_movemask_pd(reinterpret_cast<__m128d>(mask)));
+}
+#else
+using by_lane::bits_of;
+using by_lane::square_root;
 #endif
 
 }  // namespace sluice::cpu

@@ -1,6 +1,8 @@
-// Pressure acceleration, symmetric in i and j; a boundary sample mirrors the pressure of the particle that
-// looks at it, with rho0 [Hunkler 2022, algorithm 7]. With q = p/rho^2 and B_i = m sum_b dW_ib:
+// Pressure acceleration, symmetric in i and j [Hunkler 2022, algorithm 7; WCSPH page]. With q = p/rho^2 and
+// B_i the sum over the boundary (stage `boundary`):
 //   a_p = -m sum_j (q_i + q_j) dW_ij - (q_i + p_i/rho0^2) B_i
+// p_i/rho0^2 stands for a sample that mirrors the pressure of the particle that looks at it; samples with
+// pseudo-masses do not [Akinci et al. 2012], there wall_pressure is 0.
 #include "cpu/stages.hpp"
 #include "cpu/sums.hpp"
 

@@ -21,7 +21,7 @@ void pressure_update(State<Real>& state) {
       const Real difference = state.s[i] - state.Ap[i];
       const Real p = state.p[i] + params.omega * difference / state.A_ii[i];
       const Real rho = state.rho[i];
-      state.p[i] = larger(Real(0), p);
+      state.p[i] = at_least(Real(0), p);
       state.q[i] = state.p[i] / (rho * rho);
       if (p < Real(0)) continue;
       error += std::abs(difference) / params.rho0;

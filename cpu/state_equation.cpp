@@ -10,7 +10,7 @@ void state_equation(State<Real>& state) {
   const ParamsOf<Real>& params = state.params;
   for_each_index(params.n, state.threads, [&](uint32_t i) {
     const Real rho = state.rho[i];
-    state.p[i] = larger(Real(0), params.k * ((rho - params.rho0) / params.rho0));
+    state.p[i] = at_least(Real(0), params.k * ((rho - params.rho0) / params.rho0));
     state.q[i] = state.p[i] / (rho * rho);
   });
 }

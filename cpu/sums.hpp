@@ -69,7 +69,10 @@ template <class Real, class Visit>
   }
   // Where a list has ended, its entries may hold anything.
   for (; k < *longest; ++k, index += slice_width, block += 2 * slice_width) {
-    for (uint32_t l = 0; l < width; ++l) j.at[l] = k < length[l] ? index[l] : begin;
+    for (uint32_t l = 0; l < width; ++l) {
+      const uint32_t kept = 0u - uint32_t{k < length[l]};  // no branch: nobody foresees where a list ends
+      j.at[l] = (index[l] & kept) | (begin & ~kept);
+    }
     visit(block, j, lengths > static_cast<MaskElement<Real>>(k));
   }
 }

@@ -1,6 +1,6 @@
 // Laplacian viscosity [Hunkler 2022, algorithm 8]:
-//   a_n += 2 nu m ( sum_j (1/rho_j) (v_ij.x_ij)/(x_ij.x_ij + 0.01 H^2) dW_ij
-//                 + (1/rho_i) sum_b (v_i.x_ib)/(x_ib.x_ib + 0.01 H^2) dW_ib )
+//   a_n += 2 nu ( m sum_j (1/rho_j) (v_ij.x_ij)/(x_ij.x_ij + 0.01 H^2) dW_ij
+//               + (1/rho_i) sum_b m_b (v_i.x_ib)/(x_ib.x_ib + 0.01 H^2) dW_ib )
 // The sum over b stands in wall_viscosity. Not antisymmetric in i and j because of 1/rho_j, so it does not
 // conserve momentum exactly.
 #include "cpu/stages.hpp"
@@ -10,7 +10,7 @@ namespace sluice::cpu {
 
 template <class Real>
 void viscosity(State<Real>& state) {
-  const ParamsOf<Real>& params = state.params;
+  const ParamsOf<Real> params = state.params;  // a copy, which no store can change
   const bool walls = state.needs.boundary;
   const auto term = [&](auto i, auto j, auto dW) {
     const auto x_ij = i(state.x) - j(state.x);

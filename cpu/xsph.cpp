@@ -9,7 +9,7 @@ namespace sluice::cpu {
 
 template <class Real>
 void xsph(State<Real>& state) {
-  const ParamsOf<Real>& params = state.params;
+  const ParamsOf<Real> params = state.params;  // a copy, which no store can change
   const auto term = [&](auto i, auto j, auto) {
     const auto x_ij = i(state.x) - j(state.x), v_ij = i(state.v) - j(state.v);
     const auto weight = kernel(params, square_root(dot(x_ij, x_ij))) / j(state.rho);

@@ -227,8 +227,8 @@ class Implementation final : public GpuBackend {
   }
 
   StageProgram& program(Stage stage, const Pass& pass) {
-    const auto facts = (needs_.boundary ? 1u : 0u) | (needs_.laplacian ? 2u : 0u) |
-                       (needs_.linear_system ? 4u : 0u) | (needs_.pseudo_mass ? 8u : 0u);
+    uint32_t facts = 0;
+    for (const Fact fact : facts_of(needs_)) facts = 2 * facts + (fact.value ? 1 : 0);
     const auto key = std::tuple(stage, pass.number, facts);
     const auto known = programs_.find(key);
     if (known != programs_.end()) return known->second;

@@ -38,13 +38,7 @@ std::string constants(const Needs& needs, uint32_t pass, uint32_t group_size) {
     add("total_" + std::string(total_names[total]), total);
   add("total_count", total_count);
   add("first_max_total", first_max_total);
-  const auto fact = [&](std::string_view name, bool value) {
-    text += fmt::format("const bool {} = {};\n", name, value);
-  };
-  fact("walls", needs.boundary);
-  fact("pseudo_mass", needs.pseudo_mass);
-  fact("viscous", needs.laplacian);
-  fact("linear_system", needs.linear_system);
+  for (const auto& [name, value] : facts_of(needs)) text += fmt::format("const bool {} = {};\n", name, value);
   return text;
 }
 
@@ -104,6 +98,13 @@ std::string fields(Stage stage, Loads loads) {
 }
 
 }  // namespace
+
+std::vector<Fact> facts_of(const Needs& needs) {
+  return {{"walls", needs.boundary},
+          {"pseudo_mass", needs.pseudo_mass},
+          {"viscous", needs.laplacian},
+          {"linear_system", needs.linear_system}};
+}
 
 std::string texels_name(Field field) { return std::string(info(field).name) + "_texels"; }
 std::string block_name(Field field) { return std::string(info(field).name) + "_block"; }

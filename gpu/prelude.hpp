@@ -24,6 +24,13 @@ inline constexpr uint32_t scan_width = 64;
 /// by one, with a branch for each, and texels together, about five times as fast.
 enum class Loads { blocks, texels };
 
+/// What shaders know of the scene's models when they are compiled, as constants.
+struct Fact {
+  std::string_view name;
+  bool value;
+};
+std::vector<Fact> facts_of(const Needs& needs);
+
 std::string prelude(Stage stage, const Needs& needs, uint32_t pass, uint32_t group_size, Loads loads);
 std::string_view epilogue(Entry entry);
 

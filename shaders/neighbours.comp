@@ -1,6 +1,7 @@
-// The neighbours of every particle, r < 2H, in ascending order [Hunkler 2022, algorithm 4]. In three passes: the lengths of all lists; a place for each slice of 16 particles, as
-// long as its longest list; and the entries. Where a slice stands is left to chance, what is in it is not. When the
-// places do not suffice, list_needed says how many would, and all lists are left empty.
+// The neighbours of every particle, r < 2H, in ascending order [Hunkler 2022, algorithm 4]. In three passes: the lengths
+// of all lists; a place for each slice of 16 particles, as long as its longest list; and the entries. Where a slice
+// stands is left to chance, what is in it is not. When the places do not suffice, list_needed says how many would, and
+// all lists are left empty.
 
 #include "lib/grid.glsl"
 #include "lib/vectors.glsl"

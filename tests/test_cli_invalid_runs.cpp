@@ -144,5 +144,18 @@ TEST(CliInvalidRuns, AValueThatIsNotFinite) {
   EXPECT_EQ(static_cast<float>(bad.state.at(id_of(bad), "y")), bad.failure["y"].get<float>());
 }
 
+// The box of the WCSPH page, one and a half times beyond its time step.
+TEST(CliInvalidRuns, ABoxThatBlowsUp) {
+  const TemporaryFolder folder;
+  const ProgramResult result = run_program(
+      {"run", "wcsph_box", "--set", "time.dt=0.0045", "--quiet", "--summary", "s.json"}, folder.path);
+  EXPECT_EQ(result.code, 1);
+  for (const char* part : {"invalid run: a particle moved by", "at step ", "particle "})
+    EXPECT_TRUE(has(result.err, part)) << result.err;
+  const auto failure = read_json(folder / "s.json")["failure"];
+  EXPECT_LT(failure["step"].get<int>(), 100);
+  EXPECT_LT(failure["id"].get<int>(), 1200);
+}
+
 }  // namespace
 }  // namespace sluice::test

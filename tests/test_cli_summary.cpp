@@ -120,14 +120,18 @@ TEST(CliSummary, CountsTheParticlesThatAreLostAtTheEnd) {
 }
 
 TEST(CliSummary, TimesTheStagesOfThePlan) {
-  for (const Words& overrides :
-       {Words{}, {"pressure.method=ssph"}, {"viscosity.coefficient=0"}, {"boundary.container=[]"}}) {
+  for (const Words& overrides : {Words{},
+                                 {"pressure.method=ssph"},
+                                 {"viscosity.coefficient=0"},
+                                 {"boundary.container=[]"},
+                                 {"boundary.model=akinci"}}) {
     Words words{"--steps", "30"}, planned, timed;
     for (const std::string& change : overrides) words.insert(words.end(), {"--set", change});
     const auto summary = run("breaking_dam", words).summary;
     for (const Stage stage : make_plan(needs_of(load_scene("breaking_dam", overrides))).stages()) {
       const std::string name(info(stage).name);
-      if (std::ranges::find(planned, name) == planned.end()) planned.push_back(name);
+      const bool known = std::ranges::find(planned, name) != planned.end();
+      if (!known && stage != Stage::pseudo_mass) planned.push_back(name);  // which is no part of a step
     }
     double all = 0, sweep = 0;
     for (const auto& [name, seconds] : summary["seconds"]["stages"].items()) {

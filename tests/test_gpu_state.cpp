@@ -57,7 +57,8 @@ INSTANTIATE_TEST_SUITE_P(Scenes, StateOf,
                                          Words{"breaking_dam", "--set", "pressure.method=ssph"},
                                          Words{"breaking_dam", "--set", "pressure.method=wcsph"}),
                          [](const auto& row) {
-                           const std::string method = row.param.size() > 1 ? row.param[2] : "";
+                           const std::string method =
+                               row.param.size() > 1 ? row.param[2] : "pressure.method=default";
                            return fmt::format("{}_{}", row.param[0],
                                               method.substr(std::min<size_t>(16, method.size())));
                          });

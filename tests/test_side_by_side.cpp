@@ -219,5 +219,25 @@ TEST(SideBySide, SumsAreThoseOfOneParticleAtATime) {
   }
 }
 
+template <class Real>
+void expect_the_same_lane_by_lane() {
+  const auto positions = random_positions(1000, {0, -1}, {1e6, 1}, 12);
+  for (size_t i = 0; i + 1 < positions.size(); i += 2) {
+    cpu::Vector<Real> values, others;
+    for (uint32_t lane = 0; lane < cpu::lane_count<Real>; ++lane) {
+      values[lane] = static_cast<Real>(positions[i + lane % 2].x / (1 + lane));
+      others[lane] = static_cast<Real>(positions[i + lane % 2].y);
+    }
+    const auto a = cpu::square_root(values), b = cpu::by_lane::square_root(values);
+    EXPECT_EQ(std::memcmp(&a, &b, sizeof a), 0);
+    EXPECT_EQ(cpu::bits_of(others < Real(0)), cpu::by_lane::bits_of(others < Real(0)));
+  }
+}
+
+TEST(SideBySide, RootsAndMasksAreTheSameLaneByLane) {
+  expect_the_same_lane_by_lane<float>();
+  expect_the_same_lane_by_lane<double>();
+}
+
 }  // namespace
 }  // namespace sluice::test

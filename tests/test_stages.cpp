@@ -119,6 +119,10 @@ TEST(Plan, HasEachModelExactlyWhenItIsNeeded) {
                               Stage::pressure_update, Stage::residual}) {
       EXPECT_EQ(has(plan, stage), needs.linear_system) << info(stage).name;
     }
+    for (const Stage stage : plan.stages()) {
+      const bool once = std::find(plan.once.begin(), plan.once.end(), stage) != plan.once.end();
+      EXPECT_EQ(runs_once(stage), once) << info(stage).name;
+    }
     EXPECT_FALSE(has(plan, Stage::relax));
     EXPECT_EQ(plan.sweep.empty(), !needs.linear_system);
     const Plan relaxing = make_relax_plan(needs);
