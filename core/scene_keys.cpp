@@ -152,7 +152,8 @@ constexpr std::array keys{
              "Lower left corner, on the outermost layer."},
     SceneKey{"boundary.container[].max", lengths, "length", required_key, any,
              "Upper right corner, beyond `min` both ways."},
-    SceneKey{"boundary.container[].layers", integer, "", "3", from_to(1, 1000), "Thickness of each wall."},
+    SceneKey{"boundary.container[].layers", integer, "", "3", from_to(1, 1000),
+             "Thickness of each wall; 1 is enough for an \"akinci\" boundary."},
     SceneKey{"boundary.container[].sides", choices, "", "[\"left\", \"right\", \"bottom\"]", any,
              "The walls there are.", container_sides},
 

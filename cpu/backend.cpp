@@ -169,7 +169,7 @@ class CpuBackend final : public Backend {
   int threads() const override { return threads_; }
 
  private:
-  static constexpr uint64_t particles_per_thread = 500;
+  static constexpr uint64_t particles_per_thread = 1500;
 
   int threads_;
   State<Real> state_;

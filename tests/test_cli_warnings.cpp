@@ -37,6 +37,40 @@ TEST(CliWarnings, ViscosityBeyondItsLimit) {
   EXPECT_EQ(warnings_of({"--steps", "1", "--set", "viscosity={model=\"xsph\",coefficient=1}"}), "");
 }
 
+TEST(CliWarnings, TimeStepsThatSoundOutruns) {
+  const auto one_step = [](const std::string& method, const std::string& dt) {
+    return Words{"--steps", "1", "--set", "pressure.method=" + method, "--set", dt};
+  };
+  expect_warning(
+      one_step("wcsph", "pressure.wcsph.dt=0.014"),
+      "sound travels 1.5 spacings in a step, and above about 1.35 a state equation tends to blow up; "
+      "use a smaller pressure.wcsph.dt or pressure.wcsph.kappa");
+  expect_warning(one_step("ssph", "time.dt=0.018"), "use a smaller time.dt or pressure.ssph.stiffness");
+  EXPECT_EQ(warnings_of(one_step("wcsph", "pressure.wcsph.dt=0.012")), "");
+  EXPECT_EQ(warnings_of(one_step("ssph", "time.dt=0.014")), "");
+}
+
+TEST(CliWarnings, MirrorWallsOfTooFewLayers) {
+  expect_warning({"--steps", "0", "--set", "boundary.container.0.layers=2"},
+                 "boundary.container.0.layers is 2, and mirror samples fill the kernel with 3");
+  EXPECT_EQ(warnings_of(
+                {"--steps", "0", "--set", "boundary.container.0.layers=2", "--set", "boundary.model=akinci"}),
+            "");
+}
+
+TEST(CliWarnings, AnInvalidRunNamesWhatMayHelp) {
+  for (const auto& [change, remedy] :
+       {std::pair("time.dt=0.0045", "a smaller time.dt often helps"),
+        std::pair("pressure.wcsph.dt=0.0045", "a smaller pressure.wcsph.dt often helps"),
+        std::pair("viscosity.coefficient=3", "a viscosity.coefficient below 2 helps"),
+        std::pair("pressure.wcsph.kappa=1", "a larger pressure.wcsph.kappa often helps"),
+        std::pair("boundary.container.0.layers=3", "look whether fluid starts inside a wall")}) {
+    const ProgramResult result = run_program({"run", "wcsph_box", "--quiet", "--set", change});
+    EXPECT_EQ(result.code, 1);
+    EXPECT_NE(result.err.find(remedy), std::string::npos) << result.err;
+  }
+}
+
 TEST(CliWarnings, StepsThatDidNotConverge) {
   expect_warning({"--steps", "100", "--set", "pressure.iisph.max_iterations=2"},
                  "of 100 steps did not converge");

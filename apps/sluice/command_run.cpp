@@ -144,10 +144,9 @@ void simulate(Simulator& simulator, uint64_t steps, Outputs& outputs, Progress& 
 int report_end(const RunSummary& summary, uint64_t steps, bool quiet) {
   if (!quiet) fmt::print("{}", to_text(summary));
   if (const auto& failure = summary.simulator.failure()) {
-    fmt::print(stderr,
-               "sluice: invalid run: {} at step {}, time {:g}, particle {} near ({:g}, {:g}); a smaller "
-               "time.dt often helps\n",
-               failure->reason, failure->step, failure->time, failure->id, failure->x.x, failure->x.y);
+    fmt::print(stderr, "sluice: invalid run: {} at step {}, time {:g}, particle {} near ({:g}, {:g}); {}\n",
+               failure->reason, failure->step, failure->time, failure->id, failure->x.x, failure->x.y,
+               remedy(summary.scene, summary.statistics, failure->step));
     return 1;
   }
   warn_of_poor_run(summary.statistics, quiet);
@@ -172,7 +171,7 @@ int run_command(const RunOptions& options) {
   if (options.machine.backend != BackendChoice::cpu && !options.quiet)
     fmt::print(stderr, "backend: {}\n", machine.choice());
   if (!machine.gpu_backend() && !options.frames) warn_of_unused_opengl(options.machine, options.quiet);
-  warn_of_viscous_limit(scene, options.quiet);
+  warn_of_limits(scene, options.quiet);
 
   Simulator simulator(scene, samples, machine.backend());  // may refuse the scene: then nothing is written
   std::signal(SIGINT, request_stop);                       // from here on there is something to finish

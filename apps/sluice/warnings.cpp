@@ -3,7 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <cstdio>
+#include <optional>
+
+#include "core/text.hpp"
 
 namespace sluice {
 
@@ -17,20 +21,94 @@ void warn_of_unused_opengl(const MachineOptions& options, bool quiet) {
   if (options.gl_device) warn(quiet, "--gl-device " + reason);
 }
 
-void warn_of_viscous_limit(const Scene& scene, bool quiet) {
-  if (scene.viscosity_model == ViscosityModel::xsph && scene.viscosity > 2) {
-    warn(quiet,
-         fmt::format("viscosity.coefficient is {:g}, and above about 2 XSPH no longer smooths velocities "
-                     "but overshoots; use a smaller one",
-                     scene.viscosity));
+namespace {
+
+/// Beyond this alpha XSPH overshoots.
+constexpr double largest_alpha = 2;
+
+/// nu dt / h^2; an explicit viscosity bears about 0.5.
+double viscous_number(const Scene& scene) {
+  if (scene.viscosity_model != ViscosityModel::laplacian) return 0;
+  return scene.viscosity * scene.dt / (scene.spacing * scene.spacing);
+}
+
+/// Spacings that sound at rest density travels in a step.
+double sound_number(const Scene& scene) {
+  switch (scene.method) {
+    case PressureMethod::ssph:
+      return std::sqrt(scene.ssph->stiffness / scene.rest_density) * scene.dt / scene.spacing;
+    case PressureMethod::wcsph: return std::sqrt(scene.wcsph->kappa) * scene.dt / scene.spacing;
+    case PressureMethod::iisph: return 0;
   }
-  if (scene.viscosity_model != ViscosityModel::laplacian) return;
-  const double number = scene.viscosity * scene.dt / (scene.spacing * scene.spacing);
-  if (number <= 0.5) return;
-  warn(quiet, fmt::format(
-                  "viscosity.coefficient dt / spacing^2 is {:.2g}, above the limit of an explicit viscosity, "
-                  "about 0.5; use a smaller time.dt or viscosity.coefficient",
-                  number));
+  return 0;
+}
+
+/// Up to where that went well in the shipped scenes: Tait's equation stiffens as it is compressed.
+double largest_sound_number(PressureMethod method) { return method == PressureMethod::wcsph ? 1.35 : 1.8; }
+
+std::string stiffness_key(PressureMethod method) {
+  return method == PressureMethod::wcsph ? "pressure.wcsph.kappa" : "pressure.ssph.stiffness";
+}
+
+/// The key that the time step of this run comes from.
+std::string dt_key(const Scene& scene) {
+  const std::string method(name_of(scene.method));
+  const auto& tables = scene.settings["pressure"];
+  return tables[method].contains("dt") ? "pressure." + method + ".dt" : "time.dt";
+}
+
+/// Layers of a wall; none for shapes that have no layers.
+std::optional<uint32_t> layers_of(const BoundaryShape& shape) {
+  if (const auto* container = std::get_if<Container>(&shape.geometry)) return container->layers;
+  if (const auto* segment = std::get_if<Segment>(&shape.geometry)) return segment->layers;
+  return std::nullopt;
+}
+
+}  // namespace
+
+void warn_of_limits(const Scene& scene, bool quiet) {
+  if (scene.viscosity_model == ViscosityModel::xsph && scene.viscosity > largest_alpha) {
+    warn(quiet, fmt::format("viscosity.coefficient is {:g}, and above about {:g} XSPH no longer smooths "
+                            "velocities but overshoots; use a smaller one",
+                            scene.viscosity, largest_alpha));
+  }
+  if (viscous_number(scene) > 0.5) {
+    warn(quiet, fmt::format("viscosity.coefficient dt / spacing^2 is {:.2g}, above the limit of an explicit "
+                            "viscosity, about 0.5; use a smaller {} or viscosity.coefficient",
+                            viscous_number(scene), dt_key(scene)));
+  }
+  if (sound_number(scene) > largest_sound_number(scene.method)) {
+    warn(quiet, fmt::format("sound travels {:.2g} spacings in a step, and above about {:g} a state equation "
+                            "tends to blow up; use a smaller {} or {}",
+                            sound_number(scene), largest_sound_number(scene.method), dt_key(scene),
+                            stiffness_key(scene.method)));
+  }
+  if (scene.boundary_model != BoundaryModel::mirror) return;
+  for (const BoundaryShape& shape : scene.boundary) {
+    const auto layers = layers_of(shape);
+    if (!layers || *layers >= 3) continue;
+    warn(quiet, fmt::format("{}.layers is {}, and mirror samples fill the kernel with 3; thinner walls leak, "
+                            "use more or boundary.model \"akinci\"",
+                            shape.key, *layers));
+  }
+}
+
+std::string remedy(const Scene& scene, const RunStatistics& statistics, uint64_t step) {
+  const std::string smaller_dt = "a smaller " + dt_key(scene);
+  if (scene.viscosity_model == ViscosityModel::xsph && scene.viscosity > largest_alpha)
+    return fmt::format("a viscosity.coefficient below {:g} helps", largest_alpha);
+  if (step <= 10) {
+    return fmt::format(
+        "so early, look whether fluid starts inside a wall or in other fluid; otherwise {} often "
+        "helps",
+        smaller_dt);
+  }
+  if (scene.method != PressureMethod::iisph && sound_number(scene) <= largest_sound_number(scene.method) &&
+      statistics.compression_mean() > 0.03) {
+    return fmt::format("the fluid is compressed by {:.0f} % on average, and a larger {} often helps",
+                       100 * statistics.compression_mean(), stiffness_key(scene.method));
+  }
+  return smaller_dt + " often helps";
 }
 
 void warn_of_poor_run(const RunStatistics& statistics, bool quiet) {
