@@ -134,9 +134,10 @@ std::string stage_table_text(const GpuReport& report) {
   for (size_t i = 0; i < stage_count; ++i) {
     const Stage stage = static_cast<Stage>(i);
     if (stage == Stage::relax || runs_once(stage)) continue;  // of the start only
+    const PressureMethod method = timed_with(stage);
     text += compared_row(std::string(info(stage).name), report, Compare::less_is_faster,
                          [&](const SizeTimes& times) {
-                           const StepTimes& from = times.steps.at(timed_with(stage));
+                           const StepTimes& from = times.steps.at(method);
                            return 1e9 * from.stage[i] / from.n;
                          });
   }

@@ -2,6 +2,7 @@
 // way and after some time. On llvmpipe to the last bit. And that each of these comparisons can fail.
 #include <gtest/gtest.h>
 
+#include <map>
 #include <set>
 
 #include "core/agree.hpp"
@@ -236,6 +237,30 @@ void expect_split_steps_agree(const Scene& scene, const std::vector<Stage>& spli
     EXPECT_EQ(bench.run->seconds(Stage::integrate) > 0, split < Stage::integrate) << "on the other backend";
     EXPECT_EQ(first_half->seconds(Stage::grid_count) > 0, !runs_once(split)) << "on the first backend";
   }
+}
+
+class CountingRuns final : public ForwardingBackend {
+ public:
+  using ForwardingBackend::ForwardingBackend;
+  void run(Stage stage) override {
+    ++runs[stage];
+    ForwardingBackend::run(stage);
+  }
+  std::map<Stage, int> runs;
+};
+
+// A relaxed start is set up twice, and every time begins on the first backend.
+TEST(RunAgreement, ASplitBeforeTheStepComputesOnTheFirstBackendWhatRunsOnce) {
+  const Scene scene = shipped("wcsph_box", {"fluid.jitter=0.1", "fluid.relax=1"});
+  const Samples samples = sample(scene);
+  const auto first = cpu::make_backend(Precision::single_, 1),
+             second = cpu::make_backend(Precision::single_, 1);
+  CountingRuns before(*first), after(*second);
+  SplitBackend halves(before, after, Stage::pseudo_mass);
+  Simulator(scene, samples, halves).step();
+  EXPECT_EQ(before.runs, (std::map<Stage, int>{{Stage::pseudo_mass, 2}}));
+  EXPECT_FALSE(after.runs.contains(Stage::pseudo_mass));
+  EXPECT_EQ(after.runs[Stage::tait], 1);
 }
 
 TEST(RunAgreement, OfAStepThatIsSplitBetweenTheBackends) {
