@@ -27,6 +27,10 @@ class OutputFile {
   /// The name that was asked for.
   const std::filesystem::path& path() const { return path_; }
 
+  /// Where the bytes are until commit(), for another program that writes them by name instead of write().
+  /// Empty with a device or a pipe, and after commit().
+  const std::filesystem::path& temporary() const { return temporary_; }
+
  private:
   void open_temporary();
   void flush();

@@ -1,0 +1,41 @@
+// A run for ParaView: one VTK XML PolyData file per frame, and a .pvd that lists them with their times.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <vector>
+
+#include "core/backend.hpp"
+#include "core/report.hpp"
+
+namespace sluice {
+
+/// A folder with fluid_000000.vtp, fluid_000001.vtp, ..., boundary.vtp and fluid.pvd, which names them all.
+/// Points lie in the plane z = 0; the units are the scene's own. A failed write is an EnvironmentError.
+class VtkSeries {
+ public:
+  /// Creates the folder and writes boundary.vtp, if there is a boundary. Numbers take four bytes in single
+  /// precision, eight in double.
+  VtkSeries(std::filesystem::path folder, std::span<const Vec2> boundary, Precision precision);
+
+  /// Writes the next file: position, velocity, density, pressure and id of every particle.
+  void add(double time, const Snapshot& state);
+
+  /// Writes fluid.pvd, which lists what was added so far; a second call does nothing. Nothing may be added
+  /// afterwards.
+  void finish();
+
+  uint64_t count() const { return times_.size(); }  ///< files of fluid so far
+  /// Files of an earlier, longer run that follow this run's own in the folder; fluid.pvd does not list them.
+  uint64_t older_files() const;
+
+ private:
+  std::filesystem::path folder_;
+  Precision precision_;
+  bool has_boundary_;
+  bool finished_ = false;
+  std::vector<double> times_;
+};
+
+}  // namespace sluice
