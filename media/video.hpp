@@ -38,7 +38,7 @@ class VideoFile {
  private:
   void start(double pictures_per_second);
   int end();
-  void fail(int status);
+  [[noreturn]] void fail(int status);
   std::string what_ffmpeg_said() const;
 
   std::filesystem::path path_;
