@@ -30,10 +30,12 @@ void close_once(int& descriptor) {
 
 void check_target(const fs::path& path) {
   std::error_code ignored;
-  const bool other = fs::is_other(path, ignored);
-  if (path.extension() == ".mp4" && !other) return;
-  throw InputError(fmt::format("{}: found {}, expected a file whose name ends in .mp4, which a video needs",
-                               path.string(), other ? "a device or a pipe" : "another name"));
+  if (fs::is_other(path, ignored))
+    throw InputError(fmt::format("{}: found a device or a pipe, expected a file: mp4 needs to go back in it",
+                                 path.string()));
+  if (path.extension() != ".mp4")
+    throw InputError(
+        fmt::format("{}: expected a name that ends in .mp4, the one kind of video there is", path.string()));
 }
 
 /// H.264 with a quarter of the colour samples is what every player takes. Its pictures have even sizes: odd

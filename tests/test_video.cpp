@@ -1,0 +1,440 @@
+// Videos, looked at with ffprobe and decoded again with ffmpeg; and what becomes of one when ffmpeg is not
+// there, gives up or is not waited for.
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <memory>
+#include <random>
+#include <sstream>
+#include <thread>
+
+#include "core/error.hpp"
+#include "media/video.hpp"
+#include "tests/support/run_program.hpp"
+
+namespace sluice::test {
+namespace {
+
+namespace fs = std::filesystem;
+using Colour = std::array<uint8_t, 3>;
+
+/// What a shell command prints; its failure is the test's.
+std::string output_of(const std::string& command) {
+  FILE* pipe = popen(command.c_str(), "r");
+  if (pipe == nullptr) throw std::runtime_error("no shell");
+  std::string text;
+  char part[4096];
+  for (size_t count; (count = fread(part, 1, sizeof part, pipe)) > 0;) text.append(part, count);
+  EXPECT_EQ(pclose(pipe), 0) << command;
+  return text;
+}
+
+/// One value of the video stream, as ffprobe prints it.
+std::string probe(const fs::path& path, const std::string& entry) {
+  const std::string text =
+      output_of("ffprobe -v error -count_frames -select_streams v:0 -show_entries stream=" + entry +
+                " -of csv=p=0 '" + path.string() + "'");
+  return text.substr(0, text.find_first_of(",\n"));
+}
+
+/// The pictures of a video, all behind each other.
+std::string decoded(const fs::path& path) {
+  return output_of("ffmpeg -nostdin -v error -i '" + path.string() + "' -f rawvideo -pix_fmt rgb24 -");
+}
+
+constexpr Colour red{230, 20, 20}, green{20, 200, 40}, blue{20, 40, 230}, grey{237, 237, 237};
+
+/// Four areas of one colour each: top left, top right, bottom left, bottom right.
+Image quarters(glm::uvec2 size, const std::array<Colour, 4>& colours) {
+  Image image{size.x, size.y, {}};
+  for (uint32_t y = 0; y < size.y; ++y)
+    for (uint32_t x = 0; x < size.x; ++x)
+      for (const uint8_t value : colours[(2 * y >= size.y ? 2u : 0u) + (2 * x >= size.x ? 1u : 0u)])
+        image.rgb.push_back(value);
+  return image;
+}
+
+/// The middle of each area in picture `index` of decoded bytes whose pictures are `size`.
+void expect_quarters(const std::string& bytes, glm::uvec2 size, size_t index,
+                     const std::array<Colour, 4>& colours) {
+  ASSERT_GE(bytes.size(), size_t{3} * size.x * size.y * (index + 1));
+  for (size_t part = 0; part < 4; ++part) {
+    const size_t x = size.x / 4 + part % 2 * (size.x / 2), y = size.y / 4 + part / 2 * (size.y / 2);
+    const size_t at = 3 * ((index * size.y + y) * size.x + x);
+    for (size_t c = 0; c < 3; ++c)
+      EXPECT_NEAR(static_cast<uint8_t>(bytes[at + c]), colours[part][c], 3)
+          << "area " << part << ", colour " << c;
+  }
+}
+
+size_t entries(const fs::path& folder) {
+  return static_cast<size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+}
+
+template <class Kind = EnvironmentError>
+std::string message_of(const auto& action) {
+  try {
+    action();
+  } catch (const Kind& error) {
+    return error.what();
+  }
+  return "no such error";
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+/// Whether this process has children, dead ones that nobody waited for included.
+bool has_children() { return waitpid(-1, nullptr, WNOHANG) >= 0 || errno != ECHILD; }
+
+class Video : public testing::Test {
+ protected:
+  // A test that waits for ever is ended by the alarm.
+  void SetUp() override { alarm(120); }
+  void TearDown() override {
+    setenv("PATH", path.c_str(), 1);
+    EXPECT_FALSE(has_children());
+    alarm(0);
+  }
+
+  /// From now on `ffmpeg` is this shell script; the last word of its command line is `$target`.
+  void stand_in(const std::string& script) {
+    fs::create_directory(folder / "bin");
+    std::ofstream(folder / "bin/ffmpeg") << "#!/bin/sh\nfor target; do :; done; target=${target#file:}\n"
+                                         << script;
+    fs::permissions(folder / "bin/ffmpeg", fs::perms(0755));
+    setenv("PATH", ((folder / "bin").string() + ":" + path).c_str(), 1);
+    fs::create_directory(folder / "out");
+  }
+
+  const TemporaryFolder folder;
+  const std::string path = std::getenv("PATH");
+};
+
+TEST_F(Video, HasEveryPictureInItsSizeAndRate) {
+  const glm::uvec2 size(320, 200);
+  VideoFile video(folder / "run.mp4", size, 25);
+  for (uint32_t k = 0; k < 60; ++k) {
+    const auto shade = static_cast<uint8_t>(4 * k);
+    video.write(quarters(size, {red, Colour{shade, shade, shade}, blue, grey}));
+  }
+  EXPECT_EQ(video.count(), 60u);
+  EXPECT_FALSE(fs::exists(folder / "run.mp4"));
+  video.finish();
+  video.finish();
+  EXPECT_EQ(entries(folder.path), 1u);
+  const fs::path file = folder / "run.mp4";
+  EXPECT_EQ(probe(file, "nb_read_frames"), "60");
+  EXPECT_EQ(probe(file, "width"), "320");
+  EXPECT_EQ(probe(file, "height"), "200");
+  EXPECT_EQ(probe(file, "r_frame_rate"), "25/1");
+  EXPECT_EQ(probe(file, "avg_frame_rate"), "25/1");
+  EXPECT_NEAR(std::stod(probe(file, "duration")), 2.4, 1e-6);
+  EXPECT_EQ(probe(file, "codec_name"), "h264");
+  EXPECT_EQ(probe(file, "pix_fmt"), "yuv420p");
+}
+
+TEST_F(Video, StartsWithItsIndexSoThatAPageCanPlayIt) {
+  VideoFile video(folder / "run.mp4", {64, 64}, 25);
+  video.write(quarters({64, 64}, {red, green, blue, grey}));
+  video.finish();
+  const std::string bytes = read_file(folder / "run.mp4");
+  EXPECT_EQ(bytes.substr(4, 4), "ftyp");
+  EXPECT_LT(bytes.find("moov"), bytes.find("mdat"));
+}
+
+TEST_F(Video, KeepsColoursAndPlaces) {
+  const glm::uvec2 size(160, 128);
+  const std::array<Colour, 4> first{red, green, blue, grey},
+      last{Colour{0, 0, 0}, blue, Colour{255, 255, 255}, red};
+  VideoFile video(folder / "run.mp4", size, 30);
+  for (int k = 0; k < 10; ++k) video.write(quarters(size, first));
+  for (int k = 0; k < 10; ++k) video.write(quarters(size, last));
+  video.finish();
+  const std::string bytes = decoded(folder / "run.mp4");
+  EXPECT_EQ(bytes.size(), size_t{3} * 160 * 128 * 20);
+  expect_quarters(bytes, size, 0, first);
+  expect_quarters(bytes, size, 19, last);
+  for (const char* entry : {"color_space", "color_primaries", "color_transfer"})
+    EXPECT_EQ(probe(folder / "run.mp4", entry), "bt709") << entry;
+  EXPECT_EQ(probe(folder / "run.mp4", "color_range"), "tv");
+}
+
+TEST_F(Video, OddSizesGetAWhiteEdge) {
+  const glm::uvec2 size(161, 127);
+  const std::array<Colour, 4> colours{red, green, blue, grey};
+  VideoFile video(folder / "run.mp4", size, 30);
+  video.write(quarters(size, colours));
+  video.finish();
+  EXPECT_EQ(probe(folder / "run.mp4", "width"), "162");
+  EXPECT_EQ(probe(folder / "run.mp4", "height"), "128");
+  const std::string bytes = decoded(folder / "run.mp4");
+  expect_quarters(bytes, {162, 128}, 0, colours);
+  const size_t below = 3 * (size_t{127} * 162 + 120);  // under the grey area
+  for (size_t c = 0; c < 3; ++c) EXPECT_GT(static_cast<uint8_t>(bytes[below + c]), 235);
+}
+
+TEST_F(Video, RatesAreTheRatiosThatWereMeant) {
+  for (const auto& [rate, ratio] : {std::pair{12.5, "25/2"},
+                                    {1000.0 / 3, "1000/3"},
+                                    {30000.0 / 1001, "30000/1001"},
+                                    {0.1, "1/10"},
+                                    {1.0, "1/1"},
+                                    {240.0, "240/1"}}) {
+    VideoFile video(folder / "run.mp4", {64, 64}, rate);
+    for (int k = 0; k < 7; ++k) video.write(quarters({64, 64}, {red, green, blue, grey}));
+    video.finish();
+    EXPECT_EQ(probe(folder / "run.mp4", "r_frame_rate"), ratio);
+    EXPECT_EQ(probe(folder / "run.mp4", "nb_read_frames"), "7") << ratio;
+    EXPECT_NEAR(std::stod(probe(folder / "run.mp4", "duration")), 7 / rate, 1e-4 / rate + 1e-6) << ratio;
+  }
+}
+
+TEST_F(Video, ReplacesAnOldFileOnlyWhenItIsWhole) {
+  std::ofstream(folder / "run: 50%.mp4") << "old";
+  VideoFile video(folder / "run: 50%.mp4", {64, 64}, 25);
+  video.write(quarters({64, 64}, {red, green, blue, grey}));
+  EXPECT_EQ(read_file(folder / "run: 50%.mp4"), "old");
+  video.finish();
+  EXPECT_EQ(probe(folder / "run: 50%.mp4", "nb_read_frames"), "1");
+  EXPECT_EQ(entries(folder.path), 1u);
+}
+
+TEST_F(Video, ARelativeNameWorksAnywhere) {
+  const fs::path before = fs::current_path();
+  fs::current_path(folder.path);
+  {
+    VideoFile video("-y.mp4", {64, 64}, 25);
+    video.write(quarters({64, 64}, {red, green, blue, grey}));
+    video.finish();
+  }
+  fs::current_path(before);
+  EXPECT_EQ(probe(folder / "-y.mp4", "nb_read_frames"), "1");
+}
+
+TEST_F(Video, WithoutFinishNothingIsLeft) {
+  std::ofstream(folder / "run.mp4") << "old";
+  {
+    VideoFile video(folder / "run.mp4", {320, 200}, 25);
+    for (int k = 0; k < 20; ++k) video.write(quarters({320, 200}, {red, green, blue, grey}));
+    EXPECT_TRUE(has_children());
+  }
+  EXPECT_FALSE(has_children());
+  EXPECT_EQ(read_file(folder / "run.mp4"), "old");
+  EXPECT_EQ(entries(folder.path), 1u);
+}
+
+TEST_F(Video, WithoutFinishNothingIsWaitedFor) {
+  stand_in("sleep 60");
+  const auto start = std::chrono::steady_clock::now();
+  { const VideoFile video(folder / "out/run.mp4", {64, 64}, 25); }
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(30));
+  EXPECT_EQ(entries(folder / "out"), 0u);
+}
+
+TEST_F(Video, WithoutAPictureThereIsNoFile) {
+  VideoFile video(folder / "run.mp4", {64, 64}, 25);
+  video.finish();
+  EXPECT_FALSE(has_children());
+  EXPECT_EQ(entries(folder.path), 0u);
+}
+
+TEST_F(Video, NothingIsWrittenAfterwards) {
+  const Image image = quarters({64, 64}, {red, green, blue, grey});
+  VideoFile video(folder / "run.mp4", {64, 64}, 25);
+  video.write(image);
+  EXPECT_THROW(video.write(quarters({64, 63}, {red, green, blue, grey})), Error);
+  EXPECT_THROW(video.write(Image{64, 64, {1, 2, 3}}), Error);
+  video.finish();
+  EXPECT_THROW(video.write(image), Error);
+  EXPECT_EQ(probe(folder / "run.mp4", "nb_read_frames"), "1");
+}
+
+TEST_F(Video, OnlyFilesThatEndInMp4) {
+  const auto make = [](const fs::path& name) {
+    return message_of<InputError>([&] { VideoFile(name, {64, 64}, 25); });
+  };
+  for (const std::string name : {"run.avi", "run", "mp4", ".mp4", ""})
+    EXPECT_TRUE(contains(make(name), name + ": expected a name that ends in .mp4")) << make(name);
+  EXPECT_TRUE(contains(make("/dev/stdout"), "/dev/stdout: ")) << make("/dev/stdout");
+  ASSERT_EQ(mkfifo((folder / "pipe.mp4").c_str(), 0600), 0);
+  fs::create_symlink("/dev/null", folder / "null.mp4");
+  for (const std::string name : {"pipe.mp4", "null.mp4"})
+    EXPECT_TRUE(contains(make(folder / name), name + ": found a device or a pipe, expected a file"))
+        << make(folder / name);
+}
+
+TEST_F(Video, APlaceThatCannotBeWrittenIsReported) {
+  const auto make = [](const fs::path& name) { return message_of([&] { VideoFile(name, {64, 64}, 25); }); };
+  fs::create_directory(folder / "folder.mp4");
+  EXPECT_TRUE(contains(make(folder / "nowhere/run.mp4"), "create its folder"))
+      << make(folder / "nowhere/run.mp4");
+  EXPECT_TRUE(contains(make(folder / "folder.mp4"), "name a file, not a folder"));
+}
+
+TEST_F(Video, WithoutFfmpegThePackageIsNamed) {
+  setenv("PATH", folder.path.c_str(), 1);
+  const std::string message = message_of([&] { VideoFile(folder / "run.mp4", {64, 64}, 25); });
+  EXPECT_EQ(message, (folder / "run.mp4").string() +
+                         ": a video needs ffmpeg, which is not installed; install the package ffmpeg");
+  EXPECT_EQ(entries(folder.path), 0u);
+}
+
+TEST_F(Video, WhatFfmpegSaysIsInTheErrorAndNoFileIsLeft) {
+  stand_in("echo rubbish; echo 'Unknown encoder libx264' >&2; exit 1");
+  const Image image = quarters({640, 480}, {red, green, blue, grey});
+  VideoFile video(folder / "out/run.mp4", {640, 480}, 25);
+  // Some pictures may be on their way before it is gone; writing to it must not end this process.
+  const auto write_all = [&] {
+    for (int k = 0; k < 100; ++k) video.write(image);
+  };
+  const std::string message = message_of(write_all);
+  EXPECT_EQ(message,
+            "cannot write " + (folder / "out/run.mp4").string() +
+                ": ffmpeg gave up with code 1: Unknown encoder libx264; check that there is space and that "
+                "this ffmpeg has the encoder libx264");
+  EXPECT_FALSE(has_children());
+  EXPECT_EQ(entries(folder / "out"), 0u);
+  EXPECT_EQ(message_of(write_all), message);
+  EXPECT_EQ(message_of([&] { video.finish(); }), message);
+}
+
+TEST_F(Video, AFailureAtTheEndIsOneToo) {
+  stand_in("cat >/dev/null; echo whole >\"$target\"; printf 'first\\nNo space left\\n\\n' >&2; exit 7");
+  VideoFile video(folder / "out/run.mp4", {64, 64}, 25);
+  video.write(quarters({64, 64}, {red, green, blue, grey}));
+  const std::string message = message_of([&] { video.finish(); });
+  EXPECT_TRUE(contains(message, "gave up with code 7: first\nNo space left; check")) << message;
+  EXPECT_EQ(entries(folder / "out"), 0u);
+}
+
+TEST_F(Video, BeingKilledIsAFailure) {
+  stand_in("cat >/dev/null; kill -KILL $$");
+  VideoFile video(folder / "out/run.mp4", {64, 64}, 25);
+  video.write(quarters({64, 64}, {red, green, blue, grey}));
+  const std::string message = message_of([&] { video.finish(); });
+  EXPECT_TRUE(contains(message, "was ended by signal 9: it said nothing; check")) << message;
+  EXPECT_EQ(entries(folder / "out"), 0u);
+}
+
+TEST_F(Video, OfMuchTextTheEndIsShown) {
+  stand_in("cat >/dev/null; head -c 100000 /dev/zero | tr '\\0' x >&2; echo the reason >&2; exit 1");
+  VideoFile video(folder / "out/run.mp4", {64, 64}, 25);
+  video.write(quarters({64, 64}, {red, green, blue, grey}));
+  const std::string message = message_of([&] { video.finish(); });
+  EXPECT_TRUE(contains(message, "the reason; check"));
+  EXPECT_LT(message.size(), 2500u);
+}
+
+TEST_F(Video, ASizeThatFfmpegRefusesIsReported) {
+  VideoFile video(folder / "run.mp4", {1, 100'000}, 25);  // beyond what H.264 takes
+  const auto write_and_finish = [&] {
+    video.write(quarters({1, 100'000}, {red, green, blue, grey}));
+    video.finish();
+  };
+  const std::string message = message_of(write_and_finish);
+  EXPECT_TRUE(contains(message, "cannot write " + (folder / "run.mp4").string() + ": ffmpeg gave up"))
+      << message;
+  EXPECT_EQ(entries(folder.path), 0u);
+}
+
+/// A video of noise while no file may become longer than `limit`, which stands for a full disk.
+void write_noise(const fs::path& file, rlim_t limit) {
+  rlimit before{};
+  getrlimit(RLIMIT_FSIZE, &before);
+  const rlimit lower{limit, before.rlim_max};
+  std::signal(SIGXFSZ, SIG_IGN);
+  setrlimit(RLIMIT_FSIZE, &lower);
+  std::mt19937 random(1);
+  try {
+    VideoFile video(file, {64, 64}, 25);
+    setrlimit(RLIMIT_FSIZE, &before);
+    for (int k = 0; k < 20; ++k) {
+      Image image{64, 64, {}};
+      for (int i = 0; i < 64 * 64 * 3; ++i) image.rgb.push_back(static_cast<uint8_t>(random() % 256));
+      video.write(image);
+    }
+    video.finish();
+  } catch (const EnvironmentError&) {
+    setrlimit(RLIMIT_FSIZE, &before);
+    throw;
+  }
+}
+
+TEST_F(Video, AFullDiskIsReportedAndLeavesNoFile) {
+  write_noise(folder / "whole.mp4", RLIM_INFINITY);
+  const auto size = fs::file_size(folder / "whole.mp4");
+  fs::remove(folder / "whole.mp4");
+  ASSERT_GT(size, 10'000u);
+  // The last byte is missing; the index does not fit; half of it does not; nothing does.
+  for (const auto limit : {size - 1, size - 1000, size / 2, size - size}) {
+    const std::string message = message_of([&] { write_noise(folder / "run.mp4", limit); });
+    EXPECT_TRUE(contains(message, "ffmpeg gave up with code")) << limit << ": " << message;
+    EXPECT_EQ(entries(folder.path), 0u) << limit;
+  }
+}
+
+TEST_F(Video, CtrlCOfTheTerminalPassesItBy) {
+  stand_in(
+      "read -r pid name state parent group rest </proc/$$/stat\n"
+      "[ $group = $$ ] && echo own >" +
+      (folder / "group").string() +
+      "\n"
+      "grep SigIgn /proc/$$/status >" +
+      (folder / "ignored").string() + "\ncat >/dev/null");
+  std::signal(SIGPIPE, SIG_IGN);
+  VideoFile video(folder / "out/run.mp4", {64, 64}, 25);
+  std::signal(SIGPIPE, SIG_DFL);
+  video.write(quarters({64, 64}, {red, green, blue, grey}));
+  video.finish();
+  EXPECT_TRUE(fs::exists(folder / "group"));
+  std::istringstream words(read_file(folder / "ignored"));
+  std::string name, mask;
+  words >> name >> mask;
+  EXPECT_EQ(std::stoull(mask, nullptr, 16) >> (SIGPIPE - 1) & 1u, 0u) << mask;
+}
+
+TEST_F(Video, TwoVideosDoNotWaitForEachOther) {
+  const Image image = quarters({64, 64}, {red, green, blue, grey});
+  auto first = std::make_unique<VideoFile>(folder / "first.mp4", glm::uvec2(64, 64), 25);
+  VideoFile second(folder / "second.mp4", {64, 64}, 25);
+  first->write(image);
+  second.write(image);
+  first->finish();  // would wait for ever if the second ffmpeg held the first one's input open
+  second.finish();
+  EXPECT_EQ(probe(folder / "first.mp4", "nb_read_frames"), "1");
+  EXPECT_EQ(probe(folder / "second.mp4", "nb_read_frames"), "1");
+}
+
+TEST_F(Video, ASlowFfmpegHoldsTheCallerUp) {
+  stand_in("while [ ! -e " + (folder / "go").string() + " ]; do sleep 0.01; done; cat >/dev/null; touch " +
+           (folder / "end").string());
+  const Image image = quarters({640, 480}, {red, green, blue, grey});
+  VideoFile video(folder / "out/run.mp4", {640, 480}, 25);
+  std::thread writer([&] {
+    for (int k = 0; k < 3; ++k) video.write(image);
+    std::ofstream(folder / "written") << "";
+  });
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  EXPECT_FALSE(fs::exists(folder / "written"));
+  std::ofstream(folder / "go") << "";
+  writer.join();
+  EXPECT_EQ(video.count(), 3u);
+  video.finish();
+  EXPECT_TRUE(fs::exists(folder / "end"));
+  EXPECT_TRUE(fs::exists(folder / "out/run.mp4"));
+}
+
+}  // namespace
+}  // namespace sluice::test
