@@ -1,32 +1,17 @@
-// Videos, looked at with ffprobe and decoded again with ffmpeg; and what becomes of one when ffmpeg is not
-// there, gives up or is not waited for.
-#include <gtest/gtest.h>
-#include <sys/resource.h>
-#include <sys/stat.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <array>
-#include <cerrno>
+// Videos, looked at with ffprobe and decoded again with ffmpeg, and how ffmpeg is run.
 #include <chrono>
 #include <csignal>
 #include <cstdio>
-#include <cstdlib>
-#include <fstream>
 #include <memory>
-#include <random>
 #include <sstream>
 #include <thread>
 
-#include "core/error.hpp"
-#include "media/video.hpp"
-#include "tests/support/run_program.hpp"
+#include "tests/support/video_test.hpp"
 
 namespace sluice::test {
 namespace {
 
-namespace fs = std::filesystem;
-using Colour = std::array<uint8_t, 3>;
+using Video = VideoTest;
 
 /// What a shell command prints; its failure is the test's.
 std::string output_of(const std::string& command) {
@@ -52,18 +37,6 @@ std::string decoded(const fs::path& path) {
   return output_of("ffmpeg -nostdin -v error -i '" + path.string() + "' -f rawvideo -pix_fmt rgb24 -");
 }
 
-constexpr Colour red{230, 20, 20}, green{20, 200, 40}, blue{20, 40, 230}, grey{237, 237, 237};
-
-/// Four areas of one colour each: top left, top right, bottom left, bottom right.
-Image quarters(glm::uvec2 size, const std::array<Colour, 4>& colours) {
-  Image image{size.x, size.y, {}};
-  for (uint32_t y = 0; y < size.y; ++y)
-    for (uint32_t x = 0; x < size.x; ++x)
-      for (const uint8_t value : colours[(2 * y >= size.y ? 2u : 0u) + (2 * x >= size.x ? 1u : 0u)])
-        image.rgb.push_back(value);
-  return image;
-}
-
 /// The middle of each area in picture `index` of decoded bytes whose pictures are `size`.
 void expect_quarters(const std::string& bytes, glm::uvec2 size, size_t index,
                      const std::array<Colour, 4>& colours) {
@@ -76,51 +49,6 @@ void expect_quarters(const std::string& bytes, glm::uvec2 size, size_t index,
           << "area " << part << ", colour " << c;
   }
 }
-
-size_t entries(const fs::path& folder) {
-  return static_cast<size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
-}
-
-template <class Kind = EnvironmentError>
-std::string message_of(const auto& action) {
-  try {
-    action();
-  } catch (const Kind& error) {
-    return error.what();
-  }
-  return "no such error";
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
-/// Whether this process has children, dead ones that nobody waited for included.
-bool has_children() { return waitpid(-1, nullptr, WNOHANG) >= 0 || errno != ECHILD; }
-
-class Video : public testing::Test {
- protected:
-  // A test that waits for ever is ended by the alarm.
-  void SetUp() override { alarm(120); }
-  void TearDown() override {
-    setenv("PATH", path.c_str(), 1);
-    EXPECT_FALSE(has_children());
-    alarm(0);
-  }
-
-  /// From now on `ffmpeg` is this shell script; the last word of its command line is `$target`.
-  void stand_in(const std::string& script) {
-    fs::create_directory(folder / "bin");
-    std::ofstream(folder / "bin/ffmpeg") << "#!/bin/sh\nfor target; do :; done; target=${target#file:}\n"
-                                         << script;
-    fs::permissions(folder / "bin/ffmpeg", fs::perms(0755));
-    setenv("PATH", ((folder / "bin").string() + ":" + path).c_str(), 1);
-    fs::create_directory(folder / "out");
-  }
-
-  const TemporaryFolder folder;
-  const std::string path = std::getenv("PATH");
-};
 
 TEST_F(Video, HasEveryPictureInItsSizeAndRate) {
   const glm::uvec2 size(320, 200);
@@ -223,26 +151,6 @@ TEST_F(Video, ARelativeNameWorksAnywhere) {
   EXPECT_EQ(probe(folder / "-y.mp4", "nb_read_frames"), "1");
 }
 
-TEST_F(Video, WithoutFinishNothingIsLeft) {
-  std::ofstream(folder / "run.mp4") << "old";
-  {
-    VideoFile video(folder / "run.mp4", {320, 200}, 25);
-    for (int k = 0; k < 20; ++k) video.write(quarters({320, 200}, {red, green, blue, grey}));
-    EXPECT_TRUE(has_children());
-  }
-  EXPECT_FALSE(has_children());
-  EXPECT_EQ(read_file(folder / "run.mp4"), "old");
-  EXPECT_EQ(entries(folder.path), 1u);
-}
-
-TEST_F(Video, WithoutFinishNothingIsWaitedFor) {
-  stand_in("sleep 60");
-  const auto start = std::chrono::steady_clock::now();
-  { const VideoFile video(folder / "out/run.mp4", {64, 64}, 25); }
-  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(30));
-  EXPECT_EQ(entries(folder / "out"), 0u);
-}
-
 TEST_F(Video, WithoutAPictureThereIsNoFile) {
   VideoFile video(folder / "run.mp4", {64, 64}, 25);
   video.finish();
@@ -259,130 +167,6 @@ TEST_F(Video, NothingIsWrittenAfterwards) {
   video.finish();
   EXPECT_THROW(video.write(image), Error);
   EXPECT_EQ(probe(folder / "run.mp4", "nb_read_frames"), "1");
-}
-
-TEST_F(Video, OnlyFilesThatEndInMp4) {
-  const auto make = [](const fs::path& name) {
-    return message_of<InputError>([&] { VideoFile(name, {64, 64}, 25); });
-  };
-  for (const std::string name : {"run.avi", "run", "mp4", ".mp4", ""})
-    EXPECT_TRUE(contains(make(name), name + ": expected a name that ends in .mp4")) << make(name);
-  EXPECT_TRUE(contains(make("/dev/stdout"), "/dev/stdout: ")) << make("/dev/stdout");
-  ASSERT_EQ(mkfifo((folder / "pipe.mp4").c_str(), 0600), 0);
-  fs::create_symlink("/dev/null", folder / "null.mp4");
-  for (const std::string name : {"pipe.mp4", "null.mp4"})
-    EXPECT_TRUE(contains(make(folder / name), name + ": found a device or a pipe, expected a file"))
-        << make(folder / name);
-}
-
-TEST_F(Video, APlaceThatCannotBeWrittenIsReported) {
-  const auto make = [](const fs::path& name) { return message_of([&] { VideoFile(name, {64, 64}, 25); }); };
-  fs::create_directory(folder / "folder.mp4");
-  EXPECT_TRUE(contains(make(folder / "nowhere/run.mp4"), "create its folder"))
-      << make(folder / "nowhere/run.mp4");
-  EXPECT_TRUE(contains(make(folder / "folder.mp4"), "name a file, not a folder"));
-}
-
-TEST_F(Video, WithoutFfmpegThePackageIsNamed) {
-  setenv("PATH", folder.path.c_str(), 1);
-  const std::string message = message_of([&] { VideoFile(folder / "run.mp4", {64, 64}, 25); });
-  EXPECT_EQ(message, (folder / "run.mp4").string() +
-                         ": a video needs ffmpeg, which is not installed; install the package ffmpeg");
-  EXPECT_EQ(entries(folder.path), 0u);
-}
-
-TEST_F(Video, WhatFfmpegSaysIsInTheErrorAndNoFileIsLeft) {
-  stand_in("echo rubbish; echo 'Unknown encoder libx264' >&2; exit 1");
-  const Image image = quarters({640, 480}, {red, green, blue, grey});
-  VideoFile video(folder / "out/run.mp4", {640, 480}, 25);
-  // Some pictures may be on their way before it is gone; writing to it must not end this process.
-  const auto write_all = [&] {
-    for (int k = 0; k < 100; ++k) video.write(image);
-  };
-  const std::string message = message_of(write_all);
-  EXPECT_EQ(message,
-            "cannot write " + (folder / "out/run.mp4").string() +
-                ": ffmpeg gave up with code 1: Unknown encoder libx264; check that there is space and that "
-                "this ffmpeg has the encoder libx264");
-  EXPECT_FALSE(has_children());
-  EXPECT_EQ(entries(folder / "out"), 0u);
-  EXPECT_EQ(message_of(write_all), message);
-  EXPECT_EQ(message_of([&] { video.finish(); }), message);
-}
-
-TEST_F(Video, AFailureAtTheEndIsOneToo) {
-  stand_in("cat >/dev/null; echo whole >\"$target\"; printf 'first\\nNo space left\\n\\n' >&2; exit 7");
-  VideoFile video(folder / "out/run.mp4", {64, 64}, 25);
-  video.write(quarters({64, 64}, {red, green, blue, grey}));
-  const std::string message = message_of([&] { video.finish(); });
-  EXPECT_TRUE(contains(message, "gave up with code 7: first\nNo space left; check")) << message;
-  EXPECT_EQ(entries(folder / "out"), 0u);
-}
-
-TEST_F(Video, BeingKilledIsAFailure) {
-  stand_in("cat >/dev/null; kill -KILL $$");
-  VideoFile video(folder / "out/run.mp4", {64, 64}, 25);
-  video.write(quarters({64, 64}, {red, green, blue, grey}));
-  const std::string message = message_of([&] { video.finish(); });
-  EXPECT_TRUE(contains(message, "was ended by signal 9: it said nothing; check")) << message;
-  EXPECT_EQ(entries(folder / "out"), 0u);
-}
-
-TEST_F(Video, OfMuchTextTheEndIsShown) {
-  stand_in("cat >/dev/null; head -c 100000 /dev/zero | tr '\\0' x >&2; echo the reason >&2; exit 1");
-  VideoFile video(folder / "out/run.mp4", {64, 64}, 25);
-  video.write(quarters({64, 64}, {red, green, blue, grey}));
-  const std::string message = message_of([&] { video.finish(); });
-  EXPECT_TRUE(contains(message, "the reason; check"));
-  EXPECT_LT(message.size(), 2500u);
-}
-
-TEST_F(Video, ASizeThatFfmpegRefusesIsReported) {
-  VideoFile video(folder / "run.mp4", {1, 100'000}, 25);  // beyond what H.264 takes
-  const auto write_and_finish = [&] {
-    video.write(quarters({1, 100'000}, {red, green, blue, grey}));
-    video.finish();
-  };
-  const std::string message = message_of(write_and_finish);
-  EXPECT_TRUE(contains(message, "cannot write " + (folder / "run.mp4").string() + ": ffmpeg gave up"))
-      << message;
-  EXPECT_EQ(entries(folder.path), 0u);
-}
-
-/// A video of noise while no file may become longer than `limit`, which stands for a full disk.
-void write_noise(const fs::path& file, rlim_t limit) {
-  rlimit before{};
-  getrlimit(RLIMIT_FSIZE, &before);
-  const rlimit lower{limit, before.rlim_max};
-  std::signal(SIGXFSZ, SIG_IGN);
-  setrlimit(RLIMIT_FSIZE, &lower);
-  std::mt19937 random(1);
-  try {
-    VideoFile video(file, {64, 64}, 25);
-    setrlimit(RLIMIT_FSIZE, &before);
-    for (int k = 0; k < 20; ++k) {
-      Image image{64, 64, {}};
-      for (int i = 0; i < 64 * 64 * 3; ++i) image.rgb.push_back(static_cast<uint8_t>(random() % 256));
-      video.write(image);
-    }
-    video.finish();
-  } catch (const EnvironmentError&) {
-    setrlimit(RLIMIT_FSIZE, &before);
-    throw;
-  }
-}
-
-TEST_F(Video, AFullDiskIsReportedAndLeavesNoFile) {
-  write_noise(folder / "whole.mp4", RLIM_INFINITY);
-  const auto size = fs::file_size(folder / "whole.mp4");
-  fs::remove(folder / "whole.mp4");
-  ASSERT_GT(size, 10'000u);
-  // The last byte is missing; the index does not fit; half of it does not; nothing does.
-  for (const auto limit : {size - 1, size - 1000, size / 2, size - size}) {
-    const std::string message = message_of([&] { write_noise(folder / "run.mp4", limit); });
-    EXPECT_TRUE(contains(message, "ffmpeg gave up with code")) << limit << ": " << message;
-    EXPECT_EQ(entries(folder.path), 0u) << limit;
-  }
 }
 
 TEST_F(Video, CtrlCOfTheTerminalPassesItBy) {

@@ -1,104 +1,18 @@
 // The files for ParaView, read back from their bytes: every value, where it stands, and the list of times.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <algorithm>
 #include <bit>
 #include <cstdlib>
-#include <cstring>
-#include <limits>
-#include <map>
-#include <numbers>
 
 #include "core/error.hpp"
 #include "core/output_file.hpp"
 #include "media/vtk_series.hpp"
-#include "tests/support/run_program.hpp"
+#include "tests/support/vtk_file.hpp"
 
 namespace sluice::test {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// n particles with values that no float holds; id 1 has the numbers that are hard to keep.
-Snapshot some_state(size_t n, double seed = 0) {
-  Snapshot state;
-  for (size_t i = 0; i < n; ++i) {
-    const double k = static_cast<double>(i) + seed;
-    state.x.emplace_back(k / 3, -k / 7);
-    state.v.emplace_back(std::numbers::pi * k, -1e-3 / (k + 1));
-    state.density.push_back(1000 + k / 9);
-    state.pressure.push_back(1e5 / (k + 1.1));
-  }
-  if (n > 1) state.x[1] = {-0.0, 1e-30}, state.pressure[1] = 0;
-  state.step = 3;
-  return state;
-}
-
-/// The value of an attribute behind the first `tag` of the text.
-std::string attribute(const std::string& text, const std::string& tag, const std::string& name) {
-  const size_t start = text.find(tag), end = text.find('>', start);
-  if (start == std::string::npos) return "no " + tag;
-  const std::string element = text.substr(start, end - start), key = " " + name + "=\"";
-  const size_t value = element.find(key);
-  if (value == std::string::npos) return "no " + name;
-  return element.substr(value + key.size(), element.find('"', value + key.size()) - value - key.size());
-}
-
-/// A file, cut into its head and its appended bytes.
-struct Parsed {
-  explicit Parsed(const fs::path& path) : Parsed(read_file(path), 0) {}
-  Parsed(const std::string& all, int) {
-    const std::string mark = "<AppendedData encoding=\"raw\">\n_", tail = "\n  </AppendedData>\n</VTKFile>\n";
-    const size_t start = all.find(mark);
-    if (start == std::string::npos || !all.ends_with(tail)) throw std::runtime_error("no appended data");
-    head = all.substr(0, start);
-    bytes = all.substr(start + mark.size(), all.size() - start - mark.size() - tail.size());
-  }
-
-  std::string of_array(const std::string& name, const std::string& key) const {
-    return attribute(head, "<DataArray type=\"" + type(name) + "\" Name=\"" + name + "\"", key);
-  }
-  std::string type(const std::string& name) const {
-    for (const std::string candidate : {"Float32", "Float64", "Int64"})
-      if (head.find("<DataArray type=\"" + candidate + "\" Name=\"" + name + "\"") != std::string::npos)
-        return candidate;
-    return "none";
-  }
-
-  template <class T>
-  T at(size_t offset) const {
-    T value{};
-    if (offset + sizeof(T) > bytes.size()) throw std::runtime_error("beyond the end");
-    std::memcpy(&value, bytes.data() + offset, sizeof(T));
-    return value;
-  }
-
-  /// The numbers of an array; marks its bytes as seen.
-  template <class T>
-  std::vector<T> array(const std::string& name) {
-    const size_t offset = std::stoul(of_array(name, "offset"));
-    const uint64_t length = at<uint64_t>(offset);
-    EXPECT_EQ(length % sizeof(T), 0u) << name;
-    std::vector<T> values;
-    for (size_t k = 0; k < length; k += sizeof(T)) values.push_back(at<T>(offset + 8 + k));
-    seen[offset] = offset + 8 + length;
-    return values;
-  }
-
-  /// Whether the arrays that were read fill the appended bytes without gaps.
-  bool gapless() const {
-    size_t end = 0;
-    for (const auto& [first, behind] : seen) {
-      if (first != end) return false;
-      end = behind;
-    }
-    return end == bytes.size();
-  }
-
-  std::string head, bytes;
-  std::map<size_t, size_t> seen;
-};
 
 template <class T>
 std::vector<T> flat(const std::vector<Vec2>& vectors) {
@@ -120,7 +34,7 @@ std::vector<int64_t> from(int64_t first, size_t count) {
   return values;
 }
 
-void check_head(const Parsed& file, size_t n) {
+void check_head(const VtkFile& file, size_t n) {
   EXPECT_TRUE(file.head.starts_with("<?xml version=\"1.0\"?>\n<VTKFile "));
   EXPECT_EQ(attribute(file.head, "<VTKFile", "type"), "PolyData");
   EXPECT_EQ(attribute(file.head, "<VTKFile", "version"), "1.0");
@@ -132,7 +46,7 @@ void check_head(const Parsed& file, size_t n) {
 }
 
 template <class T>
-void check_points(Parsed& file, const std::string& type, const std::vector<Vec2>& x) {
+void check_points(VtkFile& file, const std::string& type, const std::vector<Vec2>& x) {
   check_head(file, x.size());
   EXPECT_EQ(file.type("Points"), type);
   EXPECT_EQ(file.of_array("Points", "NumberOfComponents"), "3");
@@ -145,7 +59,7 @@ void check_points(Parsed& file, const std::string& type, const std::vector<Vec2>
 
 template <class T>
 void check_fluid(const fs::path& path, const std::string& type, const Snapshot& state) {
-  Parsed file(path);
+  VtkFile file(path);
   check_points<T>(file, type, state.x);
   for (const char* name : {"velocity", "density", "pressure"}) EXPECT_EQ(file.type(name), type) << name;
   EXPECT_EQ(file.of_array("velocity", "NumberOfComponents"), "3");
@@ -201,7 +115,7 @@ TEST(Vtk, TheBoundaryIsThereFromTheStart) {
   const std::vector<Vec2> boundary = some_state(77, 0.5).x;
   const VtkSeries single(folder / "single", boundary, Precision::single_);
   const VtkSeries twice(folder / "double", boundary, Precision::double_);
-  Parsed in_single(folder / "single/boundary.vtp"), in_double(folder / "double/boundary.vtp");
+  VtkFile in_single(folder / "single/boundary.vtp"), in_double(folder / "double/boundary.vtp");
   check_points<float>(in_single, "Float32", boundary);
   check_points<double>(in_double, "Float64", boundary);
   EXPECT_TRUE(in_single.gapless());
@@ -213,7 +127,7 @@ TEST(Vtk, EachFileKnowsItsTime) {
   const TemporaryFolder folder;
   VtkSeries series(folder.path, {}, Precision::single_);
   series.add(0.1 + 0.2, some_state(3));
-  const Parsed file(folder / "fluid_000000.vtp");
+  const VtkFile file(folder / "fluid_000000.vtp");
   const std::string tag = "Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">";
   const size_t at = file.head.find(tag);
   ASSERT_NE(at, std::string::npos) << file.head;

@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "media/vtk_series.hpp"
-#include "tests/support/run_program.hpp"
+#include "tests/support/vtk_file.hpp"
 
 namespace sluice::test {
 namespace {
@@ -60,18 +60,6 @@ std::vector<ReadFile> read_with_vtk(const TemporaryFolder& folder) {
   std::istringstream lines(read_file(out));
   for (std::string line; std::getline(lines, line);) read_line(files, line);
   return files;
-}
-
-Snapshot some_state(size_t n, double seed) {
-  Snapshot state;
-  for (size_t i = 0; i < n; ++i) {
-    const double k = static_cast<double>(i) + seed;
-    state.x.emplace_back(k / 3, -k / 7);
-    state.v.emplace_back(k * 1.1, -1e-3 / (k + 1));
-    state.density.push_back(1000 + k / 9);
-    state.pressure.push_back(1e5 / (k + 1.1));
-  }
-  return state;
 }
 
 double rounded(double value, Precision precision) {
