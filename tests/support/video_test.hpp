@@ -58,7 +58,7 @@ inline bool has_children() { return waitpid(-1, nullptr, WNOHANG) >= 0 || errno 
 class VideoTest : public testing::Test {
  protected:
   // A test that waits for ever is ended by the alarm.
-  void SetUp() override { alarm(120); }
+  void SetUp() override { alarm(60); }
   void TearDown() override {
     setenv("PATH", path.c_str(), 1);
     EXPECT_FALSE(has_children());
