@@ -1,6 +1,7 @@
 // What a picture shows of one moment of a run, without saying how it is drawn.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -18,6 +19,8 @@ struct Frame {
   double low = 0, high = 1;       ///< values at the ends of the colour bar; speed has its own, 0 and 1
   std::vector<std::string> text;  ///< lines in the top left corner, UTF-8
   bool colour_bar = false;
+  bool long_text = false;        ///< the text may cover more than the upper half
+  std::optional<double> played;  ///< shown on a bar at the bottom: how much of a recording, from 0 to 1
 };
 
 }  // namespace sluice

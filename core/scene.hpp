@@ -87,8 +87,10 @@ struct Iisph {
 };
 
 struct Scene {
-  std::string name;  ///< file name without folder and ending
-  std::string file;  ///< as it was given or found, for messages
+  std::string name;                    ///< file name without folder and ending
+  std::string file;                    ///< as it was given or found, for messages
+  std::string text;                    ///< what was in the file
+  std::vector<std::string> overrides;  ///< KEY=VALUE changes that were made to it
   std::string title;
   std::string source;
 

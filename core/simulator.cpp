@@ -203,11 +203,20 @@ void Simulator::solve_pressure(const Plan& plan, StepReport& report) {
   report.converged = static_cast<Solve>(sweeps[1]) == Solve::converged;
 }
 
+void Simulator::change_dt(double dt) {
+  time_before_ = time();
+  steps_before_ = steps_;
+  Scene changed = scene_;
+  changed.dt = dt;
+  params_ = make_params(changed, params_.n);
+  backend_.configure(params_, plan_.needs);
+}
+
 StepReport Simulator::step() {
   StepReport report;
   report.step = ++steps_;
   report.time = time();
-  report.dt = scene_.dt;
+  report.dt = params_.dt;
   run_step(plan_, report);
   std::array<double, total_count> totals{};
   backend_.download(Field::totals, totals);

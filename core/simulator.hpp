@@ -24,8 +24,10 @@ class Simulator {
   StepReport step();
 
   uint64_t steps() const { return steps_; }
-  double time() const { return static_cast<double>(steps_) * scene_.dt; }
-  double dt() const { return scene_.dt; }
+  double time() const { return time_before_ + static_cast<double>(steps_ - steps_before_) * params_.dt; }
+  double dt() const { return params_.dt; }
+  /// The time step from now on, above 0.
+  void change_dt(double dt);
   const std::optional<Failure>& failure() const { return failure_; }
   const Plan& plan() const { return plan_; }
 
@@ -57,6 +59,8 @@ class Simulator {
   Plan plan_;
   uint32_t first_look_ = 1;  ///< sweeps before the solve is looked at: as many as the last one needed
   uint64_t steps_ = 0;
+  uint64_t steps_before_ = 0;  ///< steps and time before the last change of dt
+  double time_before_ = 0;
   bool last_state_finite_ = true;
   std::optional<Failure> failure_;
 };

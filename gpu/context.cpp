@@ -32,6 +32,10 @@ struct Context::State {
 
   // The display is not terminated: it belongs to the whole process, and another Context may be using it.
   ~State() {
+    if (make_current) {
+      make_current();
+      glDebugMessageCallback(nullptr, nullptr);
+    }
     if (context == EGL_NO_CONTEXT) return;
     if (eglGetCurrentContext() == context)
       eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
@@ -48,7 +52,9 @@ struct Context::State {
 
   std::string open(const Candidate& candidate);
   std::string create(const Candidate& candidate);
+  std::string accept();
 
+  std::function<void()> make_current;  // of a context that somebody else keeps
   EGLDisplay display = EGL_NO_DISPLAY;
   EGLContext context = EGL_NO_CONTEXT;
   bool software = false;
@@ -81,20 +87,24 @@ std::string Context::State::create(const Candidate& candidate) {
   if (eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context) == EGL_FALSE) {
     return "cannot make its context current: " + egl_error();
   }
+  return "";
+}
+
+std::string Context::State::open(const Candidate& candidate) {
+  if (std::string problem = create(candidate); !problem.empty()) return problem;
+  software = candidate.software;
+  return accept();
+}
+
+// Checks the version of the current context, notes the strings, sets the debug callback.
+std::string Context::State::accept() {
   GLint major = 0, minor = 0;
   glGetIntegerv(GL_MAJOR_VERSION, &major);
   glGetIntegerv(GL_MINOR_VERSION, &minor);
   if (major * 10 + minor < 43) return fmt::format("gives OpenGL {}.{} where 4.3 is needed", major, minor);
-  return "";
-}
-
-// create(), then the strings and the debug callback.
-std::string Context::State::open(const Candidate& candidate) {
-  if (std::string problem = create(candidate); !problem.empty()) return problem;
   renderer = gl_string(GL_RENDERER);
   vendor = gl_string(GL_VENDOR);
   version = gl_string(GL_VERSION);
-  software = candidate.software;
   for (const char* name : {"llvmpipe", "softpipe", "swrast", "SwiftShader"}) {
     software = software || renderer.find(name) != std::string::npos;
   }
@@ -162,11 +172,21 @@ Context::Context(std::optional<int> device, ShaderLibrary shaders) {
   throw EnvironmentError(fmt::format("no OpenGL 4.3 was found; {}\ntried{}", install_hint, tried));
 }
 
+Context::Context(std::function<void()> make_current, ShaderLibrary shaders)
+    : state_(std::make_unique<State>()) {
+  make_current();
+  state_->make_current = std::move(make_current);
+  if (const std::string problem = state_->accept(); !problem.empty())
+    throw EnvironmentError(fmt::format("the window {}; {}", problem, install_hint));
+  state_->shaders = std::move(shaders);
+}
+
 Context::~Context() = default;
 Context::Context(Context&&) noexcept = default;
 Context& Context::operator=(Context&&) noexcept = default;
 
 void Context::make_current() const {
+  if (state_->make_current) return state_->make_current();
   if (eglGetCurrentContext() == state_->context) return;
   // Which API a thread is bound to is the thread's own state.
   if (eglBindAPI(EGL_OPENGL_API) == EGL_FALSE ||

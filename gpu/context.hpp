@@ -1,6 +1,7 @@
 // OpenGL 4.3 without a display, through EGL. Nothing of OpenGL is loaded before a Context is made.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -43,6 +44,10 @@ class Context {
   /// what was tried and what to install, when there is no OpenGL. `shaders` is where programs made from it
   /// come from.
   explicit Context(std::optional<int> device = std::nullopt, ShaderLibrary shaders = ShaderLibrary());
+
+  /// Takes part in a context that somebody else made and keeps, such as a window's; `make_current` makes it
+  /// so. EnvironmentError when it is older than 4.3.
+  Context(std::function<void()> make_current, ShaderLibrary shaders);
   ~Context();
   Context(Context&&) noexcept;
   Context& operator=(Context&&) noexcept;

@@ -100,22 +100,12 @@ Overlay::Font::Font(float size) {
 }
 
 Overlay::Overlay(const Context& context, glm::uvec2 picture)
-    : picture_(picture),
-      font_size_(font_size_for(picture)),
-      font_(std::make_unique<Font>(font_size_)),
+    : context_(context),
       program_(context, context.shaders().load("overlay.vert"), context.shaders().load("overlay.frag")),
       vertices_(context),
       buffer_(context),
       texture_(context) {
-  line_height_ = std::round(font_size_ * 1.3f);
-  ascent_ = std::round(font_size_ * 1.0f);
-  glBindTexture(GL_TEXTURE_2D, texture_.name());
-  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_R8, atlas_width, atlas_height, 0, GL_RED, GL_UNSIGNED_BYTE,
-               font_->atlas.data());
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-
+  resize(picture);
   glBindVertexArray(vertices_.name());
   glBindBuffer(GL_ARRAY_BUFFER, buffer_.name());
   const auto attach = [&](const char* name, size_t offset) {
@@ -128,8 +118,25 @@ Overlay::Overlay(const Context& context, glm::uvec2 picture)
   attach("box", offsetof(Quad, box));
   attach("cut", offsetof(Quad, cut));
   attach("tint", offsetof(Quad, colour));
-  program_.set("picture", glm::vec2(picture));
   program_.set("font", 0);
+}
+
+void Overlay::resize(glm::uvec2 picture) {
+  context_.make_current();
+  picture_ = picture;
+  program_.set("picture", glm::vec2(picture));
+  const float font_size = font_size_for(picture);
+  if (font_size == font_size_) return;
+  font_size_ = font_size;
+  font_ = std::make_unique<Font>(font_size_);
+  line_height_ = std::round(font_size_ * 1.3f);
+  ascent_ = std::round(font_size_ * 1.0f);
+  glBindTexture(GL_TEXTURE_2D, texture_.name());
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_R8, atlas_width, atlas_height, 0, GL_RED, GL_UNSIGNED_BYTE,
+               font_->atlas.data());
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
 }
 
 Overlay::~Overlay() = default;

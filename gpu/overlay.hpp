@@ -19,6 +19,9 @@ class Overlay {
   Overlay(const Context& context, glm::uvec2 picture);
   ~Overlay();
 
+  /// Draws on pictures of this size from now on.
+  void resize(glm::uvec2 picture);
+
   float font_size() const { return font_size_; }      ///< height of an em in pixels
   float line_height() const { return line_height_; }  ///< from baseline to baseline
   float ascent() const { return ascent_; }            ///< from the top of a line to its baseline
@@ -38,8 +41,9 @@ class Overlay {
     glm::vec4 colour;
   };
 
-  glm::uvec2 picture_;
-  float font_size_, line_height_ = 0, ascent_ = 0;
+  const Context& context_;
+  glm::uvec2 picture_{};
+  float font_size_ = 0, line_height_ = 0, ascent_ = 0;
   std::unique_ptr<Font> font_;
   Program program_;
   VertexArray vertices_;

@@ -12,6 +12,7 @@ namespace {
 
 constexpr glm::vec4 ink{0.13f, 0.13f, 0.16f, 1.0f};
 constexpr glm::vec4 paper{1.0f, 1.0f, 1.0f, 0.82f};
+constexpr glm::vec4 done{0.13f, 0.13f, 0.16f, 0.6f};
 constexpr glm::vec4 outline{0.0f, 0.0f, 0.0f, 0.3f};
 
 void add_frame(Overlay& overlay, const Box& box) {
@@ -53,9 +54,10 @@ const char* bar_name(Colour colour) {
 struct Layout {
   Overlay& overlay;
   glm::vec2 picture;
+  bool long_text;
   float gap = std::round(overlay.font_size() * 0.5f);  // around panels and inside them
 
-  float lowest() const { return std::floor(picture.y / 2); }
+  float lowest() const { return long_text ? picture.y : std::floor(picture.y / 2); }
   float widest_line() const { return picture.x - 4 * gap; }
 };
 
@@ -121,6 +123,16 @@ void add_bar_panel(const Layout& layout, const Frame& frame, Panels& panels) {
   panels.gradient = gradient;
 }
 
+void add_timeline(const Layout& layout, double played, Panels& panels) {
+  const float gap = layout.gap, height = std::round(0.8f * layout.overlay.font_size());
+  const Box bar{gap, layout.picture.y - gap - height, layout.picture.x - gap, layout.picture.y - gap};
+  const float now = std::round(bar.left + static_cast<float>(played) * (bar.right - bar.left));
+  layout.overlay.add_box(bar, paper);
+  layout.overlay.add_box({bar.left, bar.top, now, bar.bottom}, done);
+  add_frame(layout.overlay, bar);
+  panels.timeline = bar;
+}
+
 }  // namespace
 
 std::vector<std::string> bar_labels(double low, double high) {
@@ -141,10 +153,11 @@ std::vector<std::string> bar_labels(double low, double high) {
 }
 
 Panels add_panels(Overlay& overlay, glm::uvec2 picture, const Frame& frame) {
-  const Layout layout{overlay, glm::vec2(picture)};
+  const Layout layout{overlay, glm::vec2(picture), frame.long_text};
   Panels panels;
   panels.text = add_text_panel(layout, frame.text);
   if (frame.colour_bar) add_bar_panel(layout, frame, panels);
+  if (frame.played) add_timeline(layout, *frame.played, panels);
   return panels;
 }
 

@@ -1,5 +1,6 @@
 // Where the overlay's panels go: the text at the top left, the colour bar beside it or, in a narrow picture,
-// below.
+// below;
+// how far a recording was played at the bottom.
 #pragma once
 
 #include <optional>
@@ -16,10 +17,11 @@ struct Panels {
   std::optional<Box> text;
   std::optional<Box> colour_bar;
   std::optional<Box> gradient;
+  std::optional<Box> timeline;
 };
 
 /// Adds the frame's panels to the overlay. Long lines are wrapped; together the panels take at most half of
-/// the picture's height, and lines or a bar beyond that are left out.
+/// the picture's height, or with Frame::long_text all of it, and lines or a bar beyond that are left out.
 Panels add_panels(Overlay& overlay, glm::uvec2 picture, const Frame& frame);
 
 /// Three numbers for the ends and the middle of a bar, with as many digits as place them within a hundredth

@@ -24,7 +24,8 @@ void fill_buffer(const Buffer& buffer, size_t bytes, const void* data) {
 
 }  // namespace
 
-View::View(glm::uvec2 picture, Vec2 view_min, Vec2 view_max) : size(picture), corner(view_min) {
+View::View(glm::uvec2 picture, Vec2 view_min, Vec2 view_max, const Camera& camera)
+    : size(picture), corner(view_min) {
   const Vec2 extent = view_max - view_min;
   const bool finite = std::isfinite(extent.x) && std::isfinite(extent.y);
   if (!finite || extent.x <= 0 || extent.y <= 0) {
@@ -35,21 +36,33 @@ View::View(glm::uvec2 picture, Vec2 view_min, Vec2 view_max) : size(picture), co
   const Vec2 pixels(size);
   scale = std::min(pixels.x / extent.x, pixels.y / extent.y);
   const Vec2 margin = (pixels - scale * extent) / 2.0;
-  origin = {margin.x, pixels.y - margin.y};
-  box = {std::round(static_cast<float>(margin.x)), std::round(static_cast<float>(margin.y)),
-         std::round(static_cast<float>(pixels.x - margin.x)),
-         std::round(static_cast<float>(pixels.y - margin.y))};
+  scale *= camera.zoom;
+  origin = camera.zoom * Vec2(margin.x, pixels.y - margin.y) + camera.shift;
+  const auto edge = [](double at, double end) {
+    return std::round(static_cast<float>(std::clamp(at, 0.0, end)));
+  };
+  const Vec2 low = camera.zoom * margin + camera.shift, high = camera.zoom * (pixels - margin) + camera.shift;
+  box = {edge(low.x, pixels.x), edge(low.y, pixels.y), edge(high.x, pixels.x), edge(high.y, pixels.y)};
 }
 
 ParticlePass::ParticlePass(const Context& context, const View& view, double diameter, ParticleShape shape)
     : context_(context),
       view_(view),
+      diameter_(diameter),
+      shape_(shape),
       program_(context, context.shaders().load("particles.vert"), context.shaders().load("particles.frag")),
       boundary_(context),
       fluid_(context),
       bar_(context) {
+  look(view);
+  describe(bar_, true, true);
+}
+
+void ParticlePass::look(const View& view) {
+  context_.make_current();
+  view_ = view;
   // A circle below one pixel is drawn with one pixel's diameter and as much paler as its area is smaller.
-  const double radius = diameter * view_.scale / 2;
+  const double radius = diameter_ * view_.scale / 2;
   radius_ = static_cast<float>(std::max(radius, 0.5));
   opacity_ = static_cast<float>(std::min(1.0, radius * radius / 0.25));
   half_extent_ = std::ceil(radius_) + 1;
@@ -63,14 +76,13 @@ ParticlePass::ParticlePass(const Context& context, const View& view, double diam
   // need no margin.
   const glm::vec2 size(view_.size);
   const glm::vec2 guarded = size + 2 * half_extent_;
-  quads_ = shape == ParticleShape::quads || 2 * half_extent_ > point_sizes[1] ||
+  quads_ = shape_ == ParticleShape::quads || 2 * half_extent_ > point_sizes[1] ||
            guarded.x > static_cast<float>(viewport_limit[0]) ||
            guarded.y > static_cast<float>(viewport_limit[1]);
   viewport_ = quads_ ? glm::vec4(0, 0, size) : glm::vec4(-half_extent_, -half_extent_, guarded);
 
   describe(boundary_, quads_, false);
   describe(fluid_, quads_, true);
-  describe(bar_, true, true);
 }
 
 // Tells the vertex array where its attributes come from: one per vertex for points, one per instance for

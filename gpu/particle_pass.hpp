@@ -16,16 +16,22 @@ struct Box {
   float left = 0, top = 0, right = 0, bottom = 0;
 };
 
+/// A closer look: the picture that shows the whole view is enlarged about its top left corner, then moved.
+struct Camera {
+  double zoom = 1;
+  Vec2 shift{};  ///< pixels, y down
+};
+
 /// How simulated positions become pixels: pixel = origin + scale * (position - corner), with scale.y
 /// negative.
 struct View {
-  View(glm::uvec2 size, Vec2 view_min, Vec2 view_max);
+  View(glm::uvec2 size, Vec2 view_min, Vec2 view_max, const Camera& camera = {});
 
   glm::uvec2 size;
   Vec2 corner;
   Vec2 origin;
   double scale;
-  Box box;  ///< where the view lies in the picture, rounded to whole pixels
+  Box box;  ///< what of the view is in the picture, rounded to whole pixels
 };
 
 /// `automatic` takes point sprites, which are cheaper, while the driver's are large enough.
@@ -43,6 +49,9 @@ struct Cloud {
 class ParticlePass {
  public:
   ParticlePass(const Context& context, const View& view, double diameter, ParticleShape shape);
+
+  /// Draws with this view from now on; its corner is that of the first.
+  void look(const View& view);
 
   void set_boundary(std::span<const Vec2> positions);
   void draw_boundary();
@@ -62,6 +71,8 @@ class ParticlePass {
 
   const Context& context_;
   View view_;
+  double diameter_;
+  ParticleShape shape_;
   Program program_;
   Cloud boundary_, fluid_, bar_;
   bool quads_ = false;

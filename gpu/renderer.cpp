@@ -41,11 +41,17 @@ struct Renderer::State {
         ParticleShape shape)
       : context(gl),
         size(checked_size(gl, picture)),
+        low(view_min),
+        high(view_max),
         view(picture, view_min, view_max),
         pixels(gl),
         framebuffer(gl),
         particles(gl, view, diameter, shape),
         overlay(gl, picture) {
+    make_pixels();
+  }
+
+  void make_pixels() {
     glBindRenderbuffer(GL_RENDERBUFFER, pixels.name());
     glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, static_cast<GLsizei>(size.x),
                           static_cast<GLsizei>(size.y));
@@ -79,6 +85,7 @@ struct Renderer::State {
 
   const Context& context;
   glm::uvec2 size;
+  Vec2 low, high;
   View view;
   Renderbuffer pixels;
   Framebuffer framebuffer;
@@ -98,7 +105,24 @@ void Renderer::set_boundary(std::span<const Vec2> positions) { state_->particles
 
 const Panels& Renderer::panels() const { return state_->panels; }
 
+void Renderer::look(glm::uvec2 size, const Camera& camera) {
+  State& state = *state_;
+  const View view(checked_size(state.context, size), state.low, state.high, camera);
+  if (size != state.size) {
+    state.size = size;
+    state.make_pixels();
+    state.overlay.resize(size);
+  }
+  state.view = view;
+  state.particles.look(view);
+}
+
 Image Renderer::draw(const Frame& frame, const Cloud* on_device) {
+  paint(frame, on_device);
+  return read();
+}
+
+void Renderer::paint(const Frame& frame, const Cloud* on_device) {
   State& state = *state_;
   state.context.make_current();
   glBindFramebuffer(GL_FRAMEBUFFER, state.framebuffer.name());
@@ -111,9 +135,29 @@ Image Renderer::draw(const Frame& frame, const Cloud* on_device) {
   state.overlay.draw();
   if (state.panels.gradient) state.particles.draw_colour_bar(*state.panels.gradient, frame);
   glDisable(GL_BLEND);
-  Image image = state.read();
   state.context.check("drawing a picture");
+}
+
+Image Renderer::read() const {
+  state_->context.make_current();
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, state_->framebuffer.name());
+  Image image = state_->read();
+  state_->context.check("reading a picture");
   return image;
+}
+
+// A window's first row is its lowest, a picture's its top row.
+void Renderer::show(glm::uvec2 at, uint32_t window_height) const {
+  const State& state = *state_;
+  state.context.make_current();
+  const auto width = static_cast<GLint>(state.size.x), height = static_cast<GLint>(state.size.y);
+  const auto left = static_cast<GLint>(at.x),
+             top = static_cast<GLint>(window_height) - static_cast<GLint>(at.y);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, state.framebuffer.name());
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+  glBlitFramebuffer(0, 0, width, height, left, top, left + width, top - height, GL_COLOR_BUFFER_BIT,
+                    GL_NEAREST);
+  state.context.check("showing a picture");
 }
 
 }  // namespace sluice::gpu

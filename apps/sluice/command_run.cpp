@@ -14,6 +14,7 @@
 #include "apps/sluice/progress.hpp"
 #include "apps/sluice/warnings.hpp"
 #include "core/error.hpp"
+#include "core/frame_clock.hpp"
 #include "core/memory.hpp"
 #include "core/scene_file.hpp"
 #include "core/series.hpp"
@@ -47,9 +48,10 @@ uint64_t step_count(const RunOptions& options, const Scene& scene) {
 
 void limit_frames(const RunOptions& options, const Scene& scene, uint64_t steps) {
   const double frames = static_cast<double>(steps) * scene.dt * scene.fps;
-  if (!options.frames || frames <= most_frames) return;
+  const auto& [pictures, video, vtk, record, overlay, speed] = options.frames;
+  if (!(pictures || video || vtk || record) || frames <= most_frames) return;
   throw InputError(
-      fmt::format("{}: output.fps: found {:g}, which makes {:.3g} pictures, expected at most {:g}; use a "
+      fmt::format("{}: output.fps: found {:g}, which makes {:.3g} frames, expected at most {:g}; use a "
                   "lower --fps or a shorter --time",
                   scene.file, scene.fps, frames, most_frames));
 }
@@ -70,6 +72,8 @@ void refuse_clashes(const RunOptions& options, const Scene& scene) {
   if (options.state) take(*options.state, "--state");
   if (options.series) take(*options.series, "--series");
   if (options.summary) take(*options.summary, "--summary");
+  if (options.frames.record) take(*options.frames.record, "--record");
+  if (options.frames.video) take(*options.frames.video, "--video");
 }
 
 /// The files of a run. All are opened before the first step, so that a folder that is not there is known at
@@ -77,25 +81,30 @@ void refuse_clashes(const RunOptions& options, const Scene& scene) {
 class Outputs {
  public:
   Outputs(const RunOptions& options, const Scene& scene, const Samples& samples, Machine& machine)
-      : precision_(machine.backend().precision()) {
+      : precision_(machine.backend().precision()), clock_(scene.fps), backend_(machine.gpu_backend()) {
     if (options.state) state_.emplace(*options.state);
     if (options.summary) summary_.emplace(*options.summary);
     if (options.series) series_.emplace(*options.series, precision_);
-    if (options.frames) frames_.emplace(scene, samples, *options.frames, options.overlay, machine);
+    frames_.emplace(options.frames, scene, samples, precision_, machine.backend().device(),
+                    [&]() -> const gpu::Context& { return machine.context(); });
   }
 
   void add(const Simulator& simulator, const StepReport& report, double seconds_per_step) {
     if (series_ && report.step > 0) series_->add(report);
-    if (frames_) frames_->show(simulator, report, seconds_per_step);
+    // The buffers hold what a failed step led to, which may not be finite; the snapshot is fit to be shown.
+    const StateSource state{[&] { return simulator.snapshot(); }, simulator.failure() ? nullptr : backend_};
+    for (uint64_t due = clock_.advance(report.time); due > 0; --due)
+      frames_->add(report, seconds_per_step, state);
   }
 
-  /// Saves the rows of a run that is about to fail for another reason; if this fails too, that reason is the
-  /// news.
-  void save_series() noexcept {
+  /// Saves the rows and frames of a run that is about to fail for another reason; if this fails too, that
+  /// reason is the news.
+  void save() noexcept {
     try {
       if (series_) series_->commit();
     } catch (const Error&) {
     }
+    frames_->save();
   }
 
   void finish(const RunSummary& summary) {
@@ -105,24 +114,18 @@ class Outputs {
       summary_->write(to_json(summary).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n');
       summary_->commit();
     }
-    if (frames_) frames_->finish();
+    frames_->finish();
   }
 
-  void tell_of_frames(const RunOptions& options) const {
-    if (!frames_ || options.quiet) return;
-    fmt::print("{} pictures in {}\n", frames_->count(), options.frames->string());
-    if (const uint64_t older = frames_->older_pictures(); older > 0) {
-      warn(options.quiet,
-           fmt::format("{} more pictures in {} are from an earlier run; delete them before making a film",
-                       older, options.frames->string()));
-    }
-  }
+  void tell_of_frames(bool quiet) const { frames_->tell(quiet); }
 
  private:
   Precision precision_;
+  FrameClock clock_;
+  const gpu::GpuBackend* backend_;
   std::optional<OutputFile> state_, summary_;
   std::optional<SeriesFile> series_;
-  std::optional<FrameOutput> frames_;
+  std::optional<FrameOutputs> frames_;
 };
 
 void simulate(Simulator& simulator, uint64_t steps, Outputs& outputs, Progress& progress,
@@ -144,9 +147,8 @@ void simulate(Simulator& simulator, uint64_t steps, Outputs& outputs, Progress& 
 int report_end(const RunSummary& summary, uint64_t steps, bool quiet) {
   if (!quiet) fmt::print("{}", to_text(summary));
   if (const auto& failure = summary.simulator.failure()) {
-    fmt::print(stderr, "sluice: invalid run: {} at step {}, time {:g}, particle {} near ({:g}, {:g}); {}\n",
-               failure->reason, failure->step, failure->time, failure->id, failure->x.x, failure->x.y,
-               remedy(summary.scene, summary.statistics, failure->step));
+    fmt::print(stderr, "sluice: invalid run: {}\n",
+               failure_text(summary.scene, summary.statistics, *failure));
     return 1;
   }
   warn_of_poor_run(summary.statistics, quiet);
@@ -170,8 +172,9 @@ int run_command(const RunOptions& options) {
   Machine machine(options.machine, samples.fluid.size());
   if (options.machine.backend != BackendChoice::cpu && !options.quiet)
     fmt::print(stderr, "backend: {}\n", machine.choice());
-  if (!machine.gpu_backend() && !options.frames) warn_of_unused_opengl(options.machine, options.quiet);
-  warn_of_limits(scene, options.quiet);
+  if (!machine.gpu_backend() && !options.frames.frames && !options.frames.video)
+    warn_of_unused_opengl(options.machine, options.quiet);
+  for (const std::string& limit : beyond_limits(scene)) warn(options.quiet, limit);
 
   Simulator simulator(scene, samples, machine.backend());  // may refuse the scene: then nothing is written
   std::signal(SIGINT, request_stop);                       // from here on there is something to finish
@@ -184,13 +187,13 @@ int run_command(const RunOptions& options) {
     try {
       simulate(simulator, steps, outputs, progress, statistics, summary.seconds);
     } catch (const Error&) {
-      outputs.save_series();
+      outputs.save();
       throw;
     }
   }
   outputs.finish(summary);
   const int code = report_end(summary, steps, options.quiet);
-  outputs.tell_of_frames(options);
+  outputs.tell_of_frames(options.quiet);
   return code;
 }
 

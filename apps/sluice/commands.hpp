@@ -11,6 +11,8 @@ namespace sluice {
 
 int run_command(const RunOptions& options);
 int agree_command(const AgreeOptions& options);
+int play_command(const PlayOptions& options);
+int export_command(const ExportOptions& options);
 int scenes_command(bool keys);
 int info_command(const std::optional<std::string>& scene, const std::vector<std::string>& overrides);
 

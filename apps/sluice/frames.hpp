@@ -1,43 +1,78 @@
-// Pictures of a run: decides when a frame is due, what it shows, and hands it to the renderer and the PNG
-// writer.
+// What is made of the frames of a run or of a recording: pictures, a film, files for ParaView, a recording.
 #pragma once
 
-#include <filesystem>
+#include <functional>
 #include <memory>
+#include <optional>
 
 #include "apps/sluice/options.hpp"
+#include "core/image.hpp"
 #include "core/sampling.hpp"
-#include "core/simulator.hpp"
+#include "gpu/painter.hpp"
+#include "media/recording.hpp"
+#include "media/video.hpp"
+#include "media/vtk_series.hpp"
 
 namespace sluice {
 
-class Machine;
-
-class FrameOutput {
+/// Pictures in a folder: frame_000000.png, ...
+class PictureFolder {
  public:
-  /// Creates the folder; draws in the context of `machine`, which outlives this and runs the simulation.
-  FrameOutput(const Scene& scene, const Samples& samples, const std::filesystem::path& folder,
-              OverlayChoice overlay, Machine& machine);
-  ~FrameOutput();
+  /// Creates the folder.
+  explicit PictureFolder(const std::filesystem::path& folder);
 
-  /// Draws the frames that are due after this step; frame k is due once time >= k/fps. Step 0 is the start.
-  void show(const Simulator& simulator, const StepReport& report, double seconds_per_step);
+  void write(Image image);
+  void finish();  ///< returns when all pictures are on disk
 
-  /// Returns when all pictures are on disk.
-  void finish();
-
-  uint64_t count() const { return count_; }  ///< pictures so far
+  uint64_t count() const { return count_; }
   /// Pictures of an earlier, longer run that follow this run's own in the folder.
   uint64_t older_pictures() const;
 
  private:
-  struct Drawing;
+  std::filesystem::path folder_;
+  PngWriter writer_;
+  uint64_t count_ = 0;
+};
+
+/// Where a frame's particles come from.
+struct StateSource {
+  std::function<Snapshot()> snapshot;
+  const gpu::GpuBackend* on_device = nullptr;  ///< if set, pictures are drawn from its buffers
+};
+
+class FrameOutputs {
+ public:
+  /// Opens what `options` ask for, so that a folder that is not there is known at once. `context` is called
+  /// if pictures are drawn. Scene and samples outlive this.
+  FrameOutputs(const FrameOptions& options, const Scene& scene, const Samples& samples, Precision precision,
+               const std::string& device, const std::function<const gpu::Context&()>& context);
+
+  /// The next frame. One of the same step as the last is written again, but not drawn again.
+  void add(const StepReport& report, double seconds_per_step, const StateSource& source);
+
+  /// Returns when everything is on disk and has its name.
+  void finish();
+  /// finish() for a run that fails for another reason: what can be saved is, and no failure is thrown.
+  void save() noexcept;
+
+  /// What was written, for people, and a warning where files of an earlier run are in the way.
+  void tell(bool quiet) const;
+
+ private:
+  const Image& picture(const StepReport& report, double seconds_per_step, const StateSource& source);
+  const Snapshot& state(const StepReport& report, const StateSource& source);
+
+  FrameOptions options_;
   const Scene& scene_;
   const Samples& samples_;
-  std::filesystem::path folder_;
-  OverlayChoice overlay_;
-  std::unique_ptr<Drawing> drawing_;
-  uint64_t count_ = 0;
+  std::optional<PictureFolder> pictures_;
+  std::optional<VideoFile> video_;
+  std::optional<VtkSeries> vtk_;
+  std::optional<RecordingWriter> recording_;
+  std::unique_ptr<gpu::Painter> painter_;
+  Image image_;     // of the last step shown
+  Snapshot state_;  // the same
+  std::optional<uint64_t> image_step_, state_step_;
 };
 
 }  // namespace sluice

@@ -8,8 +8,8 @@
 
 namespace sluice {
 
-Machine::Machine(const MachineOptions& options, uint64_t particles)
-    : options_(options), shaders_(options.shader_dir) {
+Machine::Machine(const MachineOptions& options, uint64_t particles, const gpu::Context* shown)
+    : options_(options), shaders_(options.shader_dir), context_(shown) {
   choose(particles);
 }
 
@@ -37,7 +37,10 @@ void Machine::choose(uint64_t particles) {
 }
 
 const gpu::Context& Machine::context() {
-  if (!context_) context_ = std::make_unique<gpu::Context>(options_.gl_device, shaders_);
+  if (context_ == nullptr) {
+    own_context_ = std::make_unique<gpu::Context>(options_.gl_device, shaders_);
+    context_ = own_context_.get();
+  }
   return *context_;
 }
 

@@ -15,8 +15,9 @@ namespace sluice {
 class Machine {
  public:
   /// For a run of `particles` fluid particles. InputError for a choice that contradicts itself,
-  /// EnvironmentError when --backend gpu finds no OpenGL.
-  Machine(const MachineOptions& options, uint64_t particles);
+  /// EnvironmentError when --backend gpu finds no OpenGL. With `shown`, the context of a window that outlives
+  /// this, it computes and draws there.
+  Machine(const MachineOptions& options, uint64_t particles, const gpu::Context* shown = nullptr);
 
   Backend& backend() { return *backend_; }
   const gpu::GpuBackend* gpu_backend() const { return gpu_backend_; }  ///< null on the CPU
@@ -31,7 +32,8 @@ class Machine {
 
   MachineOptions options_;
   gpu::ShaderLibrary shaders_;
-  std::unique_ptr<gpu::Context> context_;  // outlives the backend
+  std::unique_ptr<gpu::Context> own_context_;  // outlives the backend
+  const gpu::Context* context_;
   std::unique_ptr<Backend> backend_;
   const gpu::GpuBackend* gpu_backend_ = nullptr;
   std::string choice_;

@@ -57,7 +57,16 @@ int dispatch(int argc, char** argv) {
   sluice::declare_overrides(*information, changes);
   information->get_option("--set")->needs(shown);
 
-  for (const char* name : {"play", "export", "study"}) {
+  sluice::PlayOptions playing;
+  auto* play = app.add_subcommand("play", "Watch a scene or a recording in a window");
+  sluice::declare_play_options(*play, playing);
+
+  sluice::ExportOptions exporting;
+  auto* from_recording =
+      app.add_subcommand("export", "Make pictures, a film or ParaView files from a recording");
+  sluice::declare_export_options(*from_recording, exporting);
+
+  for (const char* name : {"study"}) {
     auto* later = app.add_subcommand(name, "Not available yet")->group("Not available yet")->prefix_command();
     later->callback([name] { throw sluice::InputError(fmt::format("{}: not available yet", name)); });
   }
@@ -71,9 +80,12 @@ int dispatch(int argc, char** argv) {
   }
   if (app.get_subcommands().empty()) {
     return fail(bad_input,
-                "found no subcommand, expected run, agree, scenes or info\nsluice: run `sluice --help`");
+                "found no subcommand, expected run, play, export, agree, scenes or info\nsluice: run `sluice "
+                "--help`");
   }
   if (run->parsed()) return sluice::run_command(options);
+  if (play->parsed()) return sluice::play_command(playing);
+  if (from_recording->parsed()) return sluice::export_command(exporting);
   if (agree->parsed()) return sluice::agree_command(comparison);
   if (scenes->parsed()) return sluice::scenes_command(keys);
   return sluice::info_command(scene, changes);

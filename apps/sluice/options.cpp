@@ -33,7 +33,7 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, Use use,
 }
 
 /// Reads "640x480".
-void add_size(const std::string& text, RunOptions& options) {
+void add_size(const std::string& text, std::vector<std::string>& overrides) {
   uint32_t width = 0, height = 0;
   const char* end = text.data() + text.size();
   const auto first = std::from_chars(text.data(), end, width);
@@ -46,7 +46,7 @@ void add_size(const std::string& text, RunOptions& options) {
                     "--size 800x600",
                     text));
   }
-  options.overrides.push_back(fmt::format("output.size=[{},{}]", width, height));
+  overrides.push_back(fmt::format("output.size=[{},{}]", width, height));
 }
 
 /// A file or folder to write. An empty word, as from an unset variable of a shell, is no wish for no file.
@@ -84,8 +84,7 @@ CLI::Option* add_number(CLI::App& app, const std::string& name, const std::strin
 }
 
 void add_later_options(CLI::App& app) {
-  for (const char* name :
-       {"--checkpoint", "--checkpoint-every", "--resume", "--record", "--video", "--vtk"}) {
+  for (const char* name : {"--checkpoint", "--checkpoint-every", "--resume"}) {
     app.add_option_function<std::string>(
            name,
            [name](const std::string&) {
@@ -109,31 +108,72 @@ void add_output_options(CLI::App& app, RunOptions& options) {
   app.add_flag("--quiet", options.quiet, "No progress, no table at the end")->group("Output");
 }
 
-void add_picture_options(CLI::App& app, RunOptions& options) {
-  add_path(app, "--frames", options.frames, "Write pictures frame_000000.png, ... into this folder")
-      ->type_name("DIR")
-      ->group("Pictures");
+void add_fps(CLI::App& app, std::vector<std::string>& overrides) {
   add_number<double>(
       app, "--fps", "a number greater than 0", [](double fps) { return fps > 0 && std::isfinite(fps); },
-      [&](double fps) { options.overrides.push_back(fmt::format("output.fps={:.17g}", fps)); },
-      "Pictures per simulated second; overrides output.fps")
+      [&](double fps) { overrides.push_back(fmt::format("output.fps={:.17g}", fps)); },
+      "Frames per simulated second; overrides output.fps")
       ->type_name("F")
       ->group("Pictures");
+}
+
+/// How pictures look.
+void add_picture_options(CLI::App& app, std::vector<std::string>& overrides, OverlayChoice& overlay,
+                         const std::string& overlay_help) {
   app.add_option_function<std::string>(
-         "--size", [&](const std::string& text) { add_size(text, options); },
+         "--size", [&](const std::string& text) { add_size(text, overrides); },
          "Picture size in pixels; overrides output.size")
       ->type_name("WxH")
       ->group("Pictures");
   add_choice<std::string>(
-      app, "--colour", [&](const std::string& name) { options.overrides.push_back("output.colour=" + name); },
+      app, "--colour", [&](const std::string& name) { overrides.push_back("output.colour=" + name); },
       {{"speed", "speed"}, {"density", "density"}, {"pressure", "pressure"}},
       "Colour particles by speed, density or pressure; overrides output.colour")
       ->group("Pictures");
   add_choice<OverlayChoice>(
-      app, "--overlay", [&](OverlayChoice overlay) { options.overlay = overlay; },
+      app, "--overlay", [&](OverlayChoice choice) { overlay = choice; },
       {{"none", OverlayChoice::none}, {"facts", OverlayChoice::facts}, {"all", OverlayChoice::all}},
-      "Text on the pictures: none, facts (default), all (with ms per step)")
+      overlay_help)
       ->group("Pictures");
+}
+
+void add_speed(CLI::App& app, double& speed, const std::string& help) {
+  add_number<double>(
+      app, "--speed", "a number from 0.001 to 1000",
+      [](double value) { return value >= 0.001 && value <= 1000; }, [&](double value) { speed = value; },
+      help)
+      ->type_name("F")
+      ->group("Pictures");
+}
+
+/// What is made of frames.
+void add_frame_outputs(CLI::App& app, std::vector<std::string>& overrides, FrameOptions& options) {
+  add_path(app, "--frames", options.frames, "Write pictures frame_000000.png, ... into this folder")
+      ->type_name("DIR")
+      ->group("Pictures");
+  add_path(app, "--video", options.video, "Write a film; needs ffmpeg")
+      ->type_name("FILE.mp4")
+      ->group("Pictures");
+  add_speed(app, options.speed,
+            "Simulated seconds per second of the film: 0.25 is slow motion; 1 if not given");
+  add_path(app, "--vtk", options.vtk, "Write the particles of every frame into this folder, for ParaView")
+      ->type_name("DIR")
+      ->group("Output");
+  add_picture_options(app, overrides, options.overlay,
+                      "Text on the pictures: none, facts (default), all (with ms per step)");
+}
+
+void add_steps_and_time(CLI::App& app, std::optional<uint64_t>& steps, std::optional<double>& time,
+                        const std::string& in_place_of) {
+  auto* count = add_number<uint64_t>(
+                    app, "--steps", "a whole number from 0 on", [](uint64_t) { return true; },
+                    [&](uint64_t value) { steps = value; }, "Steps to run " + in_place_of)
+                    ->type_name("N");
+  add_number<double>(
+      app, "--time", "a number from 0 on", [](double value) { return value >= 0 && std::isfinite(value); },
+      [&](double value) { time = value; }, "Time to simulate " + in_place_of)
+      ->type_name("T")
+      ->excludes(count);
 }
 
 void declare_scene(CLI::App& app, std::string& scene, std::vector<std::string>& overrides) {
@@ -151,6 +191,18 @@ void declare_threads(CLI::App& app, MachineOptions& options) {
       ->type_name("N");
 }
 
+void declare_machine(CLI::App& app, MachineOptions& options) {
+  add_choice<BackendChoice>(
+      app, "--backend", [&](BackendChoice backend) { options.backend = backend; },
+      {{"auto", BackendChoice::automatic}, {"cpu", BackendChoice::cpu}, {"gpu", BackendChoice::gpu}},
+      "auto (default) takes a graphics card if there is one, else the CPU; cpu; gpu: OpenGL compute shaders");
+  add_choice<Precision>(
+      app, "--precision", [&](Precision precision) { options.precision = precision; },
+      {{"float", Precision::single_}, {"double", Precision::double_}},
+      "float (default) or double; double runs on the CPU");
+  declare_threads(app, options);
+}
+
 }  // namespace
 
 void declare_overrides(CLI::App& app, std::vector<std::string>& overrides) {
@@ -161,6 +213,13 @@ void declare_overrides(CLI::App& app, std::vector<std::string>& overrides) {
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
+void declare_shader_dir(CLI::App& app, MachineOptions& options) {
+  add_path(app, "--shader-dir", options.shader_dir,
+           "Take shaders from this folder, laid out as shaders/, where it has them")
+      ->type_name("DIR")
+      ->group("OpenGL");
+}
+
 void declare_gl_options(CLI::App& app, MachineOptions& options) {
   add_number<int>(
       app, "--gl-device", "a number that `sluice info` lists", [](int device) { return device >= 0; },
@@ -168,10 +227,7 @@ void declare_gl_options(CLI::App& app, MachineOptions& options) {
       "Compute and draw on EGL device N; `sluice info` lists them")
       ->type_name("N")
       ->group("OpenGL");
-  add_path(app, "--shader-dir", options.shader_dir,
-           "Take shaders from this folder, laid out as shaders/, where it has them")
-      ->type_name("DIR")
-      ->group("OpenGL");
+  declare_shader_dir(app, options);
 }
 
 void declare_agree_options(CLI::App& app, AgreeOptions& options) {
@@ -191,28 +247,36 @@ void declare_agree_options(CLI::App& app, AgreeOptions& options) {
 
 void declare_run_options(CLI::App& app, RunOptions& options) {
   declare_scene(app, options.scene, options.overrides);
-  add_choice<BackendChoice>(
-      app, "--backend", [&](BackendChoice backend) { options.machine.backend = backend; },
-      {{"auto", BackendChoice::automatic}, {"cpu", BackendChoice::cpu}, {"gpu", BackendChoice::gpu}},
-      "auto (default) takes a graphics card if there is one, else the CPU; cpu; gpu: OpenGL compute shaders");
-  add_choice<Precision>(
-      app, "--precision", [&](Precision precision) { options.machine.precision = precision; },
-      {{"float", Precision::single_}, {"double", Precision::double_}},
-      "float (default) or double; double runs on the CPU");
-  auto* steps = add_number<uint64_t>(
-                    app, "--steps", "a whole number from 0 on", [](uint64_t) { return true; },
-                    [&](uint64_t count) { options.steps = count; }, "Steps to run in place of time.duration")
-                    ->type_name("N");
-  add_number<double>(
-      app, "--time", "a number from 0 on", [](double time) { return time >= 0 && std::isfinite(time); },
-      [&](double time) { options.time = time; }, "Time to simulate in place of time.duration")
-      ->type_name("T")
-      ->excludes(steps);
-  declare_threads(app, options.machine);
+  declare_machine(app, options.machine);
   declare_gl_options(app, options.machine);
+  add_steps_and_time(app, options.steps, options.time, "in place of time.duration");
   add_output_options(app, options);
-  add_picture_options(app, options);
+  add_path(app, "--record", options.frames.record, "Write a recording, for `sluice play` and `sluice export`")
+      ->type_name("FILE")
+      ->group("Output");
+  add_fps(app, options.overrides);
+  add_frame_outputs(app, options.overrides, options.frames);
   add_later_options(app);
+}
+
+void declare_export_options(CLI::App& app, ExportOptions& options) {
+  app.add_option("RECORDING", options.recording, "A file made by `sluice run --record`")->required();
+  add_frame_outputs(app, options.overrides, options.frames);
+  declare_gl_options(app, options.machine);
+  app.add_flag("--quiet", options.quiet, "Say nothing")->group("Output");
+}
+
+void declare_play_options(CLI::App& app, PlayOptions& options) {
+  app.add_option(
+      "SOURCE", options.source,
+      "A scene file, the name of a shipped scene, or a recording; without one the shipped scenes are shown");
+  declare_overrides(app, options.overrides);
+  declare_machine(app, options.machine);
+  declare_shader_dir(app, options.machine);
+  add_steps_and_time(app, options.steps, options.time, "before the window pauses");
+  add_picture_options(app, options.overrides, options.overlay,
+                      "Text in the window: none, facts, all (default: with ms per step and the speed)");
+  add_speed(app, options.speed, "Simulated seconds per second, where the machine keeps up; 1 if not given");
 }
 
 }  // namespace sluice

@@ -27,15 +27,40 @@ struct MachineOptions {
   std::optional<std::filesystem::path> shader_dir;
 };
 
+/// What is made of the frames of a run, or of a recording of it.
+struct FrameOptions {
+  std::optional<std::filesystem::path> frames, video, vtk, record;
+  OverlayChoice overlay = OverlayChoice::facts;
+  double speed = 1;  ///< simulated seconds per second of a film
+};
+
 struct RunOptions {
   std::string scene;
   std::vector<std::string> overrides;  ///< KEY=VALUE, those of --fps, --size and --colour included
   MachineOptions machine;
   std::optional<uint64_t> steps;
   std::optional<double> time;
-  std::optional<std::filesystem::path> state, series, frames, summary;
-  OverlayChoice overlay = OverlayChoice::facts;
+  std::optional<std::filesystem::path> state, series, summary;
+  FrameOptions frames;
   bool quiet = false;
+};
+
+struct ExportOptions {
+  std::string recording;
+  std::vector<std::string> overrides;  ///< KEY=VALUE, of --size and --colour
+  MachineOptions machine;              ///< what of it concerns OpenGL
+  FrameOptions frames;
+  bool quiet = false;
+};
+
+struct PlayOptions {
+  std::string source;                  ///< a scene or a recording; empty for the list of scenes
+  std::vector<std::string> overrides;  ///< as those of RunOptions
+  MachineOptions machine;
+  std::optional<uint64_t> steps;
+  std::optional<double> time;
+  OverlayChoice overlay = OverlayChoice::all;
+  double speed = 1;
 };
 
 struct AgreeOptions {
@@ -50,11 +75,14 @@ struct AgreeOptions {
 /// Declares --set KEY=VALUE, repeatable.
 void declare_overrides(CLI::App& app, std::vector<std::string>& overrides);
 
-/// Declares --gl-device and --shader-dir.
+/// Declares --shader-dir, and with declare_gl_options --gl-device too.
+void declare_shader_dir(CLI::App& app, MachineOptions& options);
 void declare_gl_options(CLI::App& app, MachineOptions& options);
 
 /// Declares the options of `sluice run` on `app`; `options` is filled when the command line is parsed.
 void declare_run_options(CLI::App& app, RunOptions& options);
 void declare_agree_options(CLI::App& app, AgreeOptions& options);
+void declare_export_options(CLI::App& app, ExportOptions& options);
+void declare_play_options(CLI::App& app, PlayOptions& options);
 
 }  // namespace sluice

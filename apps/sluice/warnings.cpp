@@ -64,35 +64,7 @@ std::optional<uint32_t> layers_of(const BoundaryShape& shape) {
   return std::nullopt;
 }
 
-}  // namespace
-
-void warn_of_limits(const Scene& scene, bool quiet) {
-  if (scene.viscosity_model == ViscosityModel::xsph && scene.viscosity > largest_alpha) {
-    warn(quiet, fmt::format("viscosity.coefficient is {:g}, and above about {:g} XSPH no longer smooths "
-                            "velocities but overshoots; use a smaller one",
-                            scene.viscosity, largest_alpha));
-  }
-  if (viscous_number(scene) > 0.5) {
-    warn(quiet, fmt::format("viscosity.coefficient dt / spacing^2 is {:.2g}, above the limit of an explicit "
-                            "viscosity, about 0.5; use a smaller {} or viscosity.coefficient",
-                            viscous_number(scene), dt_key(scene)));
-  }
-  if (sound_number(scene) > largest_sound_number(scene.method)) {
-    warn(quiet, fmt::format("sound travels {:.2g} spacings in a step, and above about {:g} a state equation "
-                            "tends to blow up; use a smaller {} or {}",
-                            sound_number(scene), largest_sound_number(scene.method), dt_key(scene),
-                            stiffness_key(scene.method)));
-  }
-  if (scene.boundary_model != BoundaryModel::mirror) return;
-  for (const BoundaryShape& shape : scene.boundary) {
-    const auto layers = layers_of(shape);
-    if (!layers || *layers >= 3) continue;
-    warn(quiet, fmt::format("{}.layers is {}, and mirror samples fill the kernel with 3; thinner walls leak, "
-                            "use more or boundary.model \"akinci\"",
-                            shape.key, *layers));
-  }
-}
-
+/// What often helps against a run that became invalid in `step`.
 std::string remedy(const Scene& scene, const RunStatistics& statistics, uint64_t step) {
   const std::string smaller_dt = "a smaller " + dt_key(scene);
   if (scene.viscosity_model == ViscosityModel::xsph && scene.viscosity > largest_alpha)
@@ -109,6 +81,46 @@ std::string remedy(const Scene& scene, const RunStatistics& statistics, uint64_t
                        100 * statistics.compression_mean(), stiffness_key(scene.method));
   }
   return smaller_dt + " often helps";
+}
+
+}  // namespace
+
+std::vector<std::string> beyond_limits(const Scene& scene) {
+  std::vector<std::string> found;
+  if (scene.viscosity_model == ViscosityModel::xsph && scene.viscosity > largest_alpha) {
+    found.push_back(
+        fmt::format("viscosity.coefficient is {:g}, and above about {:g} XSPH no longer smooths "
+                    "velocities but overshoots; use a smaller one",
+                    scene.viscosity, largest_alpha));
+  }
+  if (viscous_number(scene) > 0.5) {
+    found.push_back(
+        fmt::format("viscosity.coefficient dt / spacing^2 is {:.2g}, above the limit of an explicit "
+                    "viscosity, about 0.5; use a smaller {} or viscosity.coefficient",
+                    viscous_number(scene), dt_key(scene)));
+  }
+  if (sound_number(scene) > largest_sound_number(scene.method)) {
+    found.push_back(fmt::format(
+        "sound travels {:.2g} spacings in a step, and above about {:g} a state equation "
+        "tends to blow up; use a smaller {} or {}",
+        sound_number(scene), largest_sound_number(scene.method), dt_key(scene), stiffness_key(scene.method)));
+  }
+  if (scene.boundary_model != BoundaryModel::mirror) return found;
+  for (const BoundaryShape& shape : scene.boundary) {
+    const auto layers = layers_of(shape);
+    if (!layers || *layers >= 3) continue;
+    found.push_back(
+        fmt::format("{}.layers is {}, and mirror samples fill the kernel with 3; thinner walls leak, "
+                    "use more or boundary.model \"akinci\"",
+                    shape.key, *layers));
+  }
+  return found;
+}
+
+std::string failure_text(const Scene& scene, const RunStatistics& statistics, const Failure& failure) {
+  return fmt::format("{} at step {}, time {:g}, particle {} near ({:g}, {:g}); {}", failure.reason,
+                     failure.step, failure.time, failure.id, failure.x.x, failure.x.y,
+                     remedy(scene, statistics, failure.step));
 }
 
 void warn_of_poor_run(const RunStatistics& statistics, bool quiet) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "apps/sluice/options.hpp"
 #include "core/scene.hpp"
@@ -17,10 +18,10 @@ void warn_of_unused_opengl(const MachineOptions& options, bool quiet);
 
 /// What tends to go wrong and is known before the first step: an explicit viscosity, a state equation or XSPH
 /// beyond its limit, mirror walls of too few layers.
-void warn_of_limits(const Scene& scene, bool quiet);
+std::vector<std::string> beyond_limits(const Scene& scene);
 
-/// What often helps against a run that became invalid in `step`.
-std::string remedy(const Scene& scene, const RunStatistics& statistics, uint64_t step);
+/// Why a run became invalid, where, and what often helps.
+std::string failure_text(const Scene& scene, const RunStatistics& statistics, const Failure& failure);
 
 /// Steps that did not converge, particles that moved too far or were lost, a fluid that gives way.
 void warn_of_poor_run(const RunStatistics& statistics, bool quiet);

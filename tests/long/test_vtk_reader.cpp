@@ -62,8 +62,10 @@ std::vector<ReadFile> read_with_vtk(const TemporaryFolder& folder) {
   return files;
 }
 
+/// Through memory: GCC 12 forgets to round when it vectorises a choice between a value and its rounded self.
 double rounded(double value, Precision precision) {
-  return precision == Precision::single_ ? static_cast<double>(static_cast<float>(value)) : value;
+  const volatile float single = static_cast<float>(value);
+  return precision == Precision::single_ ? static_cast<double>(single) : value;
 }
 
 std::vector<double> flat(const std::vector<Vec2>& vectors, Precision precision) {

@@ -7,6 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <stdexcept>
@@ -26,13 +27,19 @@ std::vector<char*> pointers(std::vector<std::string>& words) {
 RunningProgram::RunningProgram(const std::vector<std::string>& words, const Options& options) {
   std::vector<std::string> arguments{SLUICE_BINARY}, environment = options.environment;
   arguments.insert(arguments.end(), words.begin(), words.end());
-  for (char** variable = environ; *variable != nullptr; ++variable) environment.emplace_back(*variable);
+  for (char** variable = environ; *variable != nullptr; ++variable) {
+    const std::string known = *variable, name = known.substr(0, known.find('=') + 1);
+    const bool replaced = std::ranges::any_of(options.environment,
+                                              [&](const std::string& own) { return own.starts_with(name); });
+    if (!replaced) environment.push_back(known);
+  }
 
   const std::string out = streams_ / "out", err = streams_ / "err";
   posix_spawn_file_actions_t files;
   posix_spawn_file_actions_init(&files);
   posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
   posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, out.c_str(), O_WRONLY | O_CREAT, 0600);
+  posix_spawn_file_actions_addchdir_np(&files, options.directory.c_str());
   int slave = -1;
   if (options.terminal) {
     if (openpty(&terminal_, &slave, nullptr, nullptr, nullptr) != 0)

@@ -15,6 +15,7 @@ class RunningProgram {
   struct Options {
     std::vector<std::string> environment;  ///< further variables, each NAME=VALUE
     bool terminal = false;                 ///< standard error is a terminal
+    std::filesystem::path directory = std::filesystem::current_path();
   };
 
   /// Starts `sluice` with these words; standard input is empty.
@@ -26,6 +27,8 @@ class RunningProgram {
 
   bool running();
   void send(int signal);
+  /// What it wrote to standard error so far, which is no terminal.
+  std::string errors_so_far() const { return read_file(streams_ / "err"); }
 
   /// Waits for its end and returns what it said; what a terminal showed is in `err`.
   ProgramResult wait();

@@ -1,0 +1,32 @@
+// `sluice export`: pictures, a film or files for ParaView from a recording, without simulating again.
+#include "apps/sluice/commands.hpp"
+#include "apps/sluice/frames.hpp"
+#include "core/error.hpp"
+#include "gpu/context.hpp"
+#include "media/recording.hpp"
+
+namespace sluice {
+
+int export_command(const ExportOptions& options) {
+  if (!options.frames.frames && !options.frames.video && !options.frames.vtk) {
+    throw InputError("export: found nothing to write, expected --frames DIR, --video FILE.mp4 or --vtk DIR");
+  }
+  const Recording recording(options.recording, options.overrides);
+  std::optional<gpu::Context> context;
+  FrameOutputs outputs(options.frames, recording.scene(), recording.samples(), recording.precision(),
+                       recording.device(), [&]() -> const gpu::Context& {
+                         if (!context)
+                           context.emplace(options.machine.gl_device,
+                                           gpu::ShaderLibrary(options.machine.shader_dir));
+                         return *context;
+                       });
+  for (size_t k = 0; k < recording.frames(); ++k) {
+    const Moment moment = recording.moment(k);
+    outputs.add(moment.report, moment.seconds_per_step, {[&] { return moment.state; }, nullptr});
+  }
+  outputs.finish();
+  outputs.tell(options.quiet);
+  return 0;
+}
+
+}  // namespace sluice

@@ -1,0 +1,50 @@
+// `sluice play`: a scene, a recording, or the list of scenes in a window.
+#include <fmt/format.h>
+
+#include "apps/sluice/commands.hpp"
+#include "apps/sluice/play_menu.hpp"
+#include "apps/sluice/play_recording.hpp"
+#include "apps/sluice/play_scene.hpp"
+#include "core/error.hpp"
+#include "core/scene_file.hpp"
+
+namespace sluice {
+namespace {
+
+constexpr glm::uvec2 menu_size{960, 720};
+
+/// What belongs to a run is refused for a recording, which is one already.
+void refuse_options_of_runs(const PlayOptions& options) {
+  if (options.machine.backend != BackendChoice::automatic || options.steps || options.time) {
+    throw InputError(fmt::format(
+        "{}: found a recording with an option of runs (--backend, --steps, --time), expected a scene with it",
+        options.source));
+  }
+}
+
+int play_recording(const PlayOptions& options) {
+  refuse_options_of_runs(options);
+  Recording recording(options.source, options.overrides);
+  Viewer viewer(recording.scene().image_size, options.overlay, options.machine.shader_dir);
+  RecordingPlayer(std::move(recording), options.speed, viewer).run();
+  return 0;
+}
+
+}  // namespace
+
+int play_command(const PlayOptions& options) {
+  if (!options.source.empty() && is_recording(options.source)) return play_recording(options);
+  glm::uvec2 size = menu_size;
+  if (!options.source.empty()) {  // a scene that can't be read needs no window to say so
+    const Scene scene = load_choice({options.source, options.overrides, std::nullopt});
+    size = scene.image_size;
+    if (options.machine.backend == BackendChoice::gpu) gpu::suit_software_threads(sample(scene).fluid.size());
+  }
+  Viewer viewer(size, options.overlay, options.machine.shader_dir);
+  const std::optional<std::string> scene =
+      options.source.empty() ? choose_scene(viewer) : std::optional(options.source);
+  if (scene) ScenePlayer(options, *scene, viewer).run();
+  return 0;
+}
+
+}  // namespace sluice

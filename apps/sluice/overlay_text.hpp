@@ -1,0 +1,17 @@
+// What is written over a picture of a run.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "apps/sluice/options.hpp"
+#include "core/report.hpp"
+#include "core/sampling.hpp"
+
+namespace sluice {
+
+/// Title, method, time, iterations, particles; with `all` also the wall time of the step.
+std::vector<std::string> overlay_text(const Scene& scene, const Samples& samples, const StepReport& report,
+                                      OverlayChoice overlay, double seconds_per_step);
+
+}  // namespace sluice

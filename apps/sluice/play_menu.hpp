@@ -1,0 +1,16 @@
+// The list of shipped scenes in the window, to choose from.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "apps/sluice/play_viewer.hpp"
+
+namespace sluice {
+
+/// Shows every shipped scene at its start, with a number. The name of the one that was chosen by its number
+/// or with the mouse, or nothing when the window was closed. EnvironmentError when there are no shipped
+/// scenes.
+std::optional<std::string> choose_scene(Viewer& viewer);
+
+}  // namespace sluice

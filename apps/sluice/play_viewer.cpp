@@ -1,0 +1,139 @@
+// The answers to what every part of `sluice play` understands.
+#include "apps/sluice/play_viewer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "core/image.hpp"
+#include "core/output_file.hpp"
+
+namespace sluice {
+namespace {
+
+using namespace std::chrono_literals;
+constexpr auto between_pictures = 16'666'667ns;
+constexpr auto while_idle = 250ms;
+constexpr double zoom_per_click = 1.25, least_zoom = 0.1, most_zoom = 1000;
+
+bool holds(const gpu::Box& box, glm::dvec2 at) {
+  const glm::vec2 place(at);
+  return place.x >= box.left && place.x < box.right && place.y >= box.top && place.y < box.bottom;
+}
+
+/// A file that is not there yet.
+std::filesystem::path free_name(const std::string& name) {
+  std::filesystem::path path = name + ".png";
+  for (int k = 2; std::filesystem::exists(path); ++k) path = fmt::format("{}_{}.png", name, k);
+  return path;
+}
+
+}  // namespace
+
+Viewer::Viewer(glm::uvec2 size, OverlayChoice overlay, const std::optional<std::filesystem::path>& shader_dir)
+    : window_(size, "Sluice"),
+      context_([this] { window_.make_current(); }, gpu::ShaderLibrary(shader_dir)),
+      overlay_(overlay) {}
+
+void Viewer::begin(glm::uvec2 size, Colour colour, std::vector<std::string> help) {
+  window_.resize(size);
+  colour_ = colour;
+  camera_ = {};
+  help_ = std::move(help);
+  shows_help_ = false;
+  changed_ = true;
+}
+
+void Viewer::set_title(const std::string& title) { window_.set_title(title); }
+
+void Viewer::say(const std::string& message) {
+  message_ = message;
+  changed_ = true;
+  fmt::print(stderr, "sluice: {}\n", message);
+}
+
+std::vector<WindowEvent> Viewer::turn(bool idle) {
+  const auto now = Clock::now();
+  const auto wait = idle ? while_idle : std::max<Clock::duration>(next_ - now, 0ns);
+  std::vector<WindowEvent> events = window_.events(std::chrono::duration<double>(wait).count());
+  next_ = std::max(next_ + between_pictures, Clock::now());
+  deadline_ = Clock::now() + between_pictures * 3 / 2;
+  changed_ = changed_ || !events.empty();
+  for (const WindowEvent& event : events) {
+    if (event.kind == WindowEvent::key || event.kind == WindowEvent::character) message_.clear();
+  }
+  std::erase_if(events, [this](const WindowEvent& event) { return answers(event); });
+  return events;
+}
+
+bool Viewer::answers(const WindowEvent& event) {
+  switch (event.kind) {
+    case WindowEvent::character: return answers_character(event.typed);
+    case WindowEvent::key:
+      if (event.pressed != Key::escape) return false;
+      shows_help_ = false;
+      return true;
+    case WindowEvent::press: drags_bar_ = timeline_ && holds(*timeline_, event.at); return false;
+    case WindowEvent::drag:
+      if (!drags_bar_) camera_.shift += event.moved;
+      return !drags_bar_;
+    case WindowEvent::wheel: zoom(event.at, std::pow(zoom_per_click, event.clicks)); return true;
+    case WindowEvent::release:
+    case WindowEvent::redraw: return true;
+  }
+  return false;
+}
+
+bool Viewer::answers_character(char32_t typed) {
+  switch (typed) {
+    case 'c': colour_ = static_cast<Colour>((static_cast<int>(colour_) + 1) % 3); return true;
+    case 'o': overlay_ = static_cast<OverlayChoice>((static_cast<int>(overlay_) + 1) % 3); return true;
+    case 'h':
+    case '?': shows_help_ = !shows_help_; return true;
+    case '0': camera_ = {}; return true;
+    case 's': wants_screenshot_ = true; return true;
+    case 'q': over_ = true; return true;
+    default: return false;
+  }
+}
+
+/// What is under `about` stays there.
+void Viewer::zoom(glm::dvec2 about, double factor) {
+  const double zoomed = std::clamp(camera_.zoom * factor, least_zoom, most_zoom);
+  camera_.shift = about - zoomed / camera_.zoom * (about - camera_.shift);
+  camera_.zoom = zoomed;
+}
+
+void Viewer::show(gpu::Painter& painter, Frame labels, const std::string& name,
+                  const std::function<void(Frame)>& paint) {
+  labels.colour = colour_;
+  labels.colour_bar = colour_ != Colour::speed && overlay_ != OverlayChoice::none;
+  if (shows_help_) {
+    labels.text = help_;
+    labels.long_text = true;
+    labels.colour_bar = false;
+  } else if (overlay_ != OverlayChoice::none && !message_.empty()) {
+    labels.text.push_back(message_);
+  }
+  painter.renderer().look(window_.size(), camera_);
+  paint(std::move(labels));
+  timeline_ = painter.renderer().panels().timeline;
+  if (std::exchange(wants_screenshot_, false)) save_screenshot(painter.renderer(), name);
+  painter.renderer().show(glm::uvec2(0), window_.size().y);
+  window_.present();
+  changed_ = false;
+}
+
+void Viewer::save_screenshot(const gpu::Renderer& renderer, const std::string& name) {
+  const std::filesystem::path path = free_name(name);
+  try {
+    write_file(path, encode_png(renderer.read()));
+    say(fmt::format("screenshot {}", path.string()));
+  } catch (const EnvironmentError& error) {
+    say(error.what());
+  }
+}
+
+}  // namespace sluice

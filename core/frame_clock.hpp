@@ -1,0 +1,25 @@
+// When the frames of a run are due.
+#pragma once
+
+#include <cstdint>
+
+namespace sluice {
+
+/// Frame k shows the state after the first step whose time is at least k/fps; frame 0 the start.
+class FrameClock {
+ public:
+  explicit FrameClock(double fps) : fps_(fps) {}
+
+  /// How many frames are due at this time that were not before.
+  uint64_t advance(double time) {
+    const uint64_t before = count_;
+    while (time >= static_cast<double>(count_) / fps_ - 1e-9) ++count_;
+    return count_ - before;
+  }
+
+ private:
+  double fps_;
+  uint64_t count_ = 0;
+};
+
+}  // namespace sluice

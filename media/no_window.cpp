@@ -1,0 +1,23 @@
+// Takes the place of window.cpp in builds without a window.
+#include "core/error.hpp"
+#include "media/window.hpp"
+
+namespace sluice {
+
+struct Window::State {};
+
+Window::Window(glm::uvec2, const std::string&) {
+  throw EnvironmentError(
+      "this program was built without a window; install libglfw3-dev and build it again with "
+      "-DSLUICE_WINDOW=ON, or make a film with `sluice run SCENE --video FILE.mp4`");
+}
+Window::~Window() = default;
+void Window::make_current() const {}
+void Window::set_title(const std::string&) {}
+glm::uvec2 Window::size() const { return glm::uvec2(1); }
+void Window::resize(glm::uvec2) {}
+std::vector<WindowEvent> Window::events(double) { return {}; }
+bool Window::closed() const { return true; }
+void Window::present() {}
+
+}  // namespace sluice

@@ -1,0 +1,224 @@
+// File -> scene, index, moments. Nothing in the file is trusted before it was checked.
+#include "media/recording.hpp"
+
+#include <fmt/format.h>
+#include <xxhash.h>
+#include <zstd.h>
+
+#include <cerrno>
+#include <nlohmann/json.hpp>
+
+#include "core/error.hpp"
+#include "core/scene_file.hpp"
+#include "media/recording_format.hpp"
+
+namespace sluice {
+namespace {
+
+using namespace recording;
+constexpr size_t preamble_size = magic.size() + 2 * sizeof(uint32_t);
+constexpr size_t tail_size = sizeof(Tail);
+
+/// A file and its name, for messages.
+class Source {
+ public:
+  explicit Source(std::filesystem::path path) : path_(std::move(path)), file_(path_, std::ios::binary) {
+    std::error_code error;
+    size_ = std::filesystem::file_size(path_, error);
+    if (!file_ || error) refuse("found a file that can't be read, expected a recording");
+  }
+
+  std::string read(uint64_t offset, uint64_t bytes) {
+    if (bytes > size_ || offset > size_ - bytes) refuse_altered();
+    std::string text(bytes, '\0');
+    file_.clear();
+    file_.seekg(static_cast<std::streamoff>(offset));
+    file_.read(text.data(), static_cast<std::streamsize>(bytes));
+    if (static_cast<uint64_t>(file_.gcount()) != bytes) refuse_altered();
+    return text;
+  }
+
+  uint64_t size() const { return size_; }
+
+  [[noreturn]] void refuse(const std::string& what) const {
+    throw InputError(fmt::format("{}: {}", path_.string(), what));
+  }
+  [[noreturn]] void refuse_altered() const {
+    refuse(
+        "found a recording that was cut off or altered, expected one as `sluice run --record` wrote it; "
+        "copy it again or record the run once more");
+  }
+
+ private:
+  std::filesystem::path path_;
+  std::ifstream file_;
+  uint64_t size_ = 0;
+};
+
+/// The first bytes, which say what the file is; returns the size of the header that follows.
+uint32_t read_preamble(Source& source) {
+  const std::string start = source.read(0, std::min<uint64_t>(source.size(), preamble_size));
+  if (!start.starts_with(magic)) {
+    if (start.size() >= magic.size() || !magic.starts_with(start))
+      source.refuse("found another kind of file, expected a recording made by `sluice run --record`");
+    source.refuse_altered();
+  }
+  if (start.size() < preamble_size) source.refuse_altered();
+  const auto found = read_from<uint32_t>(start, magic.size());
+  if (found != format) {
+    source.refuse(fmt::format(
+        "found a recording of format {}, expected format {}; use the version of Sluice that made it", found,
+        format));
+  }
+  return read_from<uint32_t>(start, magic.size() + sizeof(uint32_t));
+}
+
+/// The tail, once it is sure that every byte before it is as it was written.
+Tail checked_tail(Source& source) {
+  if (source.size() < preamble_size + tail_size) source.refuse_altered();
+  const uint64_t end = source.size() - tail_size;
+  const auto tail = read_from<Tail>(source.read(end, tail_size), 0);
+  const bool index_fits = tail.frames > 0 && tail.frames <= end / sizeof(IndexEntry) &&
+                          tail.index_offset == end - tail.frames * sizeof(IndexEntry);
+  if (tail.end != Tail().end || !index_fits) source.refuse_altered();
+  const std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> hash(XXH3_createState(), XXH3_freeState);
+  XXH3_64bits_reset(hash.get());
+  const uint64_t covered = end + 2 * sizeof(uint64_t);
+  for (uint64_t at = 0; at < covered; at += chunk) {
+    const std::string part = source.read(at, std::min<uint64_t>(chunk, covered - at));
+    XXH3_64bits_update(hash.get(), part.data(), part.size());
+  }
+  if (XXH3_64bits_digest(hash.get()) != tail.checksum) source.refuse_altered();
+  return tail;
+}
+
+std::vector<IndexEntry> read_index(Source& source, const Tail& tail) {
+  std::vector<IndexEntry> index(tail.frames);
+  const std::string bytes = source.read(tail.index_offset, tail.frames * sizeof(IndexEntry));
+  std::memcpy(index.data(), bytes.data(), bytes.size());
+  return index;
+}
+
+StepReport report_of(const FrameFacts& facts) {
+  StepReport report;
+  report.step = facts.step;
+  report.time = facts.time;
+  report.dt = facts.dt;
+  report.iterations = facts.iterations;
+  report.residual = facts.residual;
+  report.converged = facts.converged != 0;
+  Diagnostics& d = report.diagnostics;
+  d.mean_density = facts.mean_density;
+  d.mean_compression = facts.mean_compression;
+  d.max_compression = facts.max_compression;
+  d.kinetic_energy = facts.kinetic_energy;
+  d.potential_energy = facts.potential_energy;
+  d.centre_of_mass = {facts.centre_of_mass_x, facts.centre_of_mass_y};
+  d.max_speed = facts.max_speed;
+  d.cfl = facts.cfl;
+  d.wall_force = {facts.wall_force_x, facts.wall_force_y};
+  d.lost = facts.lost;
+  return report;
+}
+
+/// The opposite of the writer's append_by_bytes.
+template <class Real, class Use>
+void read_by_bytes(std::string_view& bytes, size_t n, Use use) {
+  for (size_t i = 0; i < n; ++i) {
+    std::array<char, sizeof(Real)> number;
+    for (size_t b = 0; b < sizeof(Real); ++b) number[b] = bytes[b * n + i];
+    use(i, static_cast<double>(std::bit_cast<Real>(number)));
+  }
+  bytes.remove_prefix(n * sizeof(Real));
+}
+
+template <class Real>
+void read_particles(std::string_view bytes, Snapshot& state) {
+  const size_t n = state.x.size();
+  read_by_bytes<Real>(bytes, n, [&](size_t i, double value) { state.x[i].x = value; });
+  read_by_bytes<Real>(bytes, n, [&](size_t i, double value) { state.x[i].y = value; });
+  read_by_bytes<Real>(bytes, n, [&](size_t i, double value) { state.v[i].x = value; });
+  read_by_bytes<Real>(bytes, n, [&](size_t i, double value) { state.v[i].y = value; });
+  read_by_bytes<Real>(bytes, n, [&](size_t i, double value) { state.density[i] = value; });
+  read_by_bytes<Real>(bytes, n, [&](size_t i, double value) { state.pressure[i] = value; });
+}
+
+}  // namespace
+
+struct Recording::State {
+  explicit State(const std::filesystem::path& path) : source(path) {}
+  mutable Source source;
+  Scene scene;
+  Samples samples;
+  Precision precision = Precision::single_;
+  std::string device;
+  std::vector<IndexEntry> index;
+};
+
+Recording::Recording(const std::filesystem::path& path, std::span<const std::string> overrides)
+    : state_(std::make_unique<State>(path)) {
+  State& state = *state_;
+  const uint32_t header_size = read_preamble(state.source);
+  state.index = read_index(state.source, checked_tail(state.source));
+  try {
+    const auto json = nlohmann::json::parse(state.source.read(preamble_size, header_size));
+    auto changes = json.at("overrides").get<std::vector<std::string>>();
+    changes.insert(changes.end(), overrides.begin(), overrides.end());
+    state.scene =
+        parse_scene(json.at("text").get<std::string>(), json.at("file").get<std::string>(), changes);
+    state.samples = sample(state.scene);
+    state.precision =
+        json.at("precision").get<std::string>() == "double" ? Precision::double_ : Precision::single_;
+    state.device = json.at("device").get<std::string>();
+  } catch (const nlohmann::json::exception&) {
+    state.source.refuse_altered();
+  }
+}
+
+Recording::~Recording() = default;
+Recording::Recording(Recording&&) noexcept = default;
+
+const Scene& Recording::scene() const { return state_->scene; }
+const Samples& Recording::samples() const { return state_->samples; }
+Precision Recording::precision() const { return state_->precision; }
+const std::string& Recording::device() const { return state_->device; }
+size_t Recording::frames() const { return state_->index.size(); }
+double Recording::time(size_t frame) const { return state_->index.at(frame).time; }
+
+Moment Recording::moment(size_t frame) const {
+  const State& state = *state_;
+  const IndexEntry& entry = state.index.at(frame);
+  const size_t n = state.samples.fluid.size();
+  const size_t real = state.precision == Precision::double_ ? sizeof(double) : sizeof(float);
+  const std::string packed = state.source.read(entry.offset, entry.bytes);
+  std::string plain(sizeof(FrameFacts) + values_per_particle * n * real, '\0');
+  if (ZSTD_getFrameContentSize(packed.data(), packed.size()) != plain.size() ||
+      ZSTD_decompress(plain.data(), plain.size(), packed.data(), packed.size()) != plain.size()) {
+    state.source.refuse_altered();
+  }
+  const auto facts = read_from<FrameFacts>(plain, 0);
+  Moment moment{report_of(facts), facts.seconds_per_step, {}};
+  moment.state.step = facts.step;
+  moment.state.x.resize(n);
+  moment.state.v.resize(n);
+  moment.state.density.resize(n);
+  moment.state.pressure.resize(n);
+  const std::string_view particles = std::string_view(plain).substr(sizeof(FrameFacts));
+  if (real == sizeof(double)) {
+    read_particles<double>(particles, moment.state);
+  } else {
+    read_particles<float>(particles, moment.state);
+  }
+  return moment;
+}
+
+bool is_recording(const std::filesystem::path& path) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) return false;
+  std::ifstream file(path, std::ios::binary);
+  std::string start(magic.size(), '\0');
+  file.read(start.data(), static_cast<std::streamsize>(start.size()));
+  return start == magic;
+}
+
+}  // namespace sluice

@@ -1,0 +1,78 @@
+// Recordings: the frames of a run in one file, to be watched and exported again without simulating.
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/backend.hpp"
+#include "core/output_file.hpp"
+#include "core/report.hpp"
+#include "core/sampling.hpp"
+
+namespace sluice {
+
+/// A moment of a run: all that a picture or a file of it shows. Step 0 is the start.
+struct Moment {
+  StepReport report;
+  double seconds_per_step = 0;  ///< wall time of that step
+  Snapshot state;
+};
+
+/// Writes a recording: the scene as it was run, then one compressed block per frame, an index and a checksum
+/// (docs/recordings.md). Numbers are kept with the bits that the run computed. Failures as of OutputFile.
+class RecordingWriter {
+ public:
+  /// `device` says where the run was computed, for people.
+  RecordingWriter(const std::filesystem::path& path, const Scene& scene, Precision precision,
+                  const std::string& device);
+  ~RecordingWriter();
+  RecordingWriter(RecordingWriter&&) noexcept;
+
+  /// The next frame. A moment of the same step as the last one takes no room.
+  void add(const Moment& moment);
+
+  size_t frames() const;
+
+  /// Writes the index and gives the file its name.
+  void commit();
+
+ private:
+  struct State;
+  void write(std::string_view bytes);
+
+  std::unique_ptr<State> state_;
+};
+
+/// Reads a recording. Any frame can be had at any time.
+class Recording {
+ public:
+  /// Reads the scene and checks that every byte of the file is as it was written. `overrides` change the
+  /// scene's section `output` as --set does. InputError, with the file's name and what is wrong, when it is
+  /// no recording, was cut off or altered, or was made by a later version of Sluice.
+  explicit Recording(const std::filesystem::path& path, std::span<const std::string> overrides = {});
+  ~Recording();
+  Recording(Recording&&) noexcept;
+
+  const Scene& scene() const;
+  const Samples& samples() const;
+  Precision precision() const;
+  const std::string& device() const;  ///< where the run was computed, for people
+
+  size_t frames() const;  ///< one or more
+  double time(size_t frame) const;
+  /// Reads and unpacks a frame. InputError when the file changed since it was opened.
+  Moment moment(size_t frame) const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+/// Whether the file begins as a recording does.
+bool is_recording(const std::filesystem::path& path);
+
+}  // namespace sluice

@@ -1,0 +1,66 @@
+// How a recording lies on the disk; docs/recordings.md describes it.
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+
+#include "core/report.hpp"
+
+namespace sluice::recording {
+
+static_assert(std::endian::native == std::endian::little, "recordings are written as they lie in memory");
+
+inline constexpr std::string_view magic = "sluice recording";
+inline constexpr uint32_t format = 1;
+inline constexpr size_t chunk = size_t{1} << 20;  // bytes read at a time for the checksum
+
+/// Where a frame is and what it shows.
+struct IndexEntry {
+  uint64_t offset = 0, bytes = 0;
+  uint64_t step = 0;
+  double time = 0;
+};
+
+/// The last bytes of the file.
+struct Tail {
+  uint64_t index_offset = 0;
+  uint64_t frames = 0;
+  uint64_t checksum = 0;  ///< XXH3 of everything before the tail, and of the two numbers above
+  std::array<char, 8> end{'e', 'n', 'd', ' ', 'o', 'f', ' ', '1'};
+};
+
+/// Everything of a frame but the particles, in this order.
+struct FrameFacts {
+  uint64_t step = 0;
+  uint32_t iterations = 0, converged = 1;
+  uint32_t lost = 0, unused = 0;
+  double time = 0, dt = 0, residual = 0, seconds_per_step = 0;
+  double mean_density = 0, mean_compression = 0, max_compression = 0;
+  double kinetic_energy = 0, potential_energy = 0;
+  double centre_of_mass_x = 0, centre_of_mass_y = 0;
+  double max_speed = 0, cfl = 0;
+  double wall_force_x = 0, wall_force_y = 0;
+};
+
+inline constexpr size_t values_per_particle = 6;  // x, y, vx, vy, density, pressure: an array of each
+
+template <class T>
+std::string_view bytes_of(const T& value) {
+  static_assert(std::is_trivially_copyable_v<T>);
+  return {reinterpret_cast<const char*>(&value), sizeof value};
+}
+
+template <class T>
+T read_from(std::string_view bytes, size_t at) {
+  T value;
+  std::memcpy(&value, bytes.data() + at, sizeof value);
+  return value;
+}
+
+}  // namespace sluice::recording

@@ -1,0 +1,154 @@
+// Moments -> blocks compressed by Zstandard -> file.
+#include <fmt/format.h>
+#include <xxhash.h>
+#include <zstd.h>
+
+#include <nlohmann/json.hpp>
+
+#include "core/error.hpp"
+#include "core/summary.hpp"
+#include "core/text.hpp"
+#include "media/recording.hpp"
+#include "media/recording_format.hpp"
+
+namespace sluice {
+namespace {
+
+using namespace recording;
+
+constexpr int compression_level = 3;
+
+FrameFacts facts_of(const Moment& moment) {
+  const StepReport& report = moment.report;
+  const Diagnostics& d = report.diagnostics;
+  FrameFacts facts;
+  facts.step = report.step;
+  facts.iterations = report.iterations;
+  facts.converged = report.converged ? 1 : 0;
+  facts.lost = d.lost;
+  facts.time = report.time;
+  facts.dt = report.dt;
+  facts.residual = report.residual;
+  facts.seconds_per_step = moment.seconds_per_step;
+  facts.mean_density = d.mean_density;
+  facts.mean_compression = d.mean_compression;
+  facts.max_compression = d.max_compression;
+  facts.kinetic_energy = d.kinetic_energy;
+  facts.potential_energy = d.potential_energy;
+  facts.centre_of_mass_x = d.centre_of_mass.x;
+  facts.centre_of_mass_y = d.centre_of_mass.y;
+  facts.max_speed = d.max_speed;
+  facts.cfl = d.cfl;
+  facts.wall_force_x = d.wall_force.x;
+  facts.wall_force_y = d.wall_force.y;
+  return facts;
+}
+
+/// Appends one array with the first bytes of all numbers first, then the second ones, and so on: bytes that
+/// hardly differ lie together, which packs better.
+template <class Real, class Value>
+void append_by_bytes(std::string& out, size_t n, Value value) {
+  const size_t start = out.size();
+  out.resize(start + n * sizeof(Real));
+  for (size_t i = 0; i < n; ++i) {
+    const Real number = static_cast<Real>(value(i));
+    const std::string_view bytes = bytes_of(number);
+    for (size_t b = 0; b < sizeof(Real); ++b) out[start + b * n + i] = bytes[b];
+  }
+}
+
+template <class Real>
+void append_particles(std::string& out, const Snapshot& state) {
+  const size_t n = state.x.size();
+  append_by_bytes<Real>(out, n, [&](size_t i) { return state.x[i].x; });
+  append_by_bytes<Real>(out, n, [&](size_t i) { return state.x[i].y; });
+  append_by_bytes<Real>(out, n, [&](size_t i) { return state.v[i].x; });
+  append_by_bytes<Real>(out, n, [&](size_t i) { return state.v[i].y; });
+  append_by_bytes<Real>(out, n, [&](size_t i) { return state.density[i]; });
+  append_by_bytes<Real>(out, n, [&](size_t i) { return state.pressure[i]; });
+}
+
+struct HashDeleter {
+  void operator()(XXH3_state_t* state) const { XXH3_freeState(state); }
+};
+struct PackerDeleter {
+  void operator()(ZSTD_CCtx* packer) const { ZSTD_freeCCtx(packer); }
+};
+
+}  // namespace
+
+struct RecordingWriter::State {
+  State(const std::filesystem::path& path, Precision kept) : file(path), precision(kept) {}
+
+  OutputFile file;
+  Precision precision;
+  uint64_t written = 0;
+  std::unique_ptr<XXH3_state_t, HashDeleter> hash{XXH3_createState()};
+  std::unique_ptr<ZSTD_CCtx, PackerDeleter> packer{ZSTD_createCCtx()};
+  std::vector<IndexEntry> index;
+  std::string plain, packed;  // kept between frames
+};
+
+RecordingWriter::RecordingWriter(const std::filesystem::path& path, const Scene& scene, Precision precision,
+                                 const std::string& device)
+    : state_(std::make_unique<State>(path, precision)) {
+  if (!state_->hash || !state_->packer || XXH3_64bits_reset(state_->hash.get()) == XXH_ERROR)
+    throw EnvironmentError(fmt::format("{}: no memory to write a recording", path.string()));
+  const nlohmann::ordered_json json = {
+      {"version", version()}, {"precision", name_of(precision)}, {"device", device},
+      {"file", scene.file},   {"overrides", scene.overrides},    {"text", scene.text}};
+  const std::string header = json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
+  write(magic);
+  write(bytes_of(format));
+  write(bytes_of(static_cast<uint32_t>(header.size())));
+  write(header);
+}
+
+RecordingWriter::~RecordingWriter() = default;
+RecordingWriter::RecordingWriter(RecordingWriter&&) noexcept = default;
+
+void RecordingWriter::write(std::string_view bytes) {
+  XXH3_64bits_update(state_->hash.get(), bytes.data(), bytes.size());
+  state_->file.write(bytes);
+  state_->written += bytes.size();
+}
+
+void RecordingWriter::add(const Moment& moment) {
+  State& state = *state_;
+  if (!state.index.empty() && state.index.back().step == moment.report.step) {
+    state.index.push_back(state.index.back());
+    return;
+  }
+  state.plain = bytes_of(facts_of(moment));
+  if (state.precision == Precision::double_) {
+    append_particles<double>(state.plain, moment.state);
+  } else {
+    append_particles<float>(state.plain, moment.state);
+  }
+  state.packed.resize(ZSTD_compressBound(state.plain.size()));
+  const size_t size = ZSTD_compressCCtx(state.packer.get(), state.packed.data(), state.packed.size(),
+                                        state.plain.data(), state.plain.size(), compression_level);
+  if (ZSTD_isError(size) != 0)
+    throw EnvironmentError(
+        fmt::format("{}: a frame can't be packed: {}", state.file.path().string(), ZSTD_getErrorName(size)));
+  state.index.push_back({state.written, size, moment.report.step, moment.report.time});
+  write(std::string_view(state.packed).substr(0, size));
+}
+
+size_t RecordingWriter::frames() const { return state_->index.size(); }
+
+void RecordingWriter::commit() {
+  State& state = *state_;
+  Tail tail;
+  tail.index_offset = state.written;
+  tail.frames = state.index.size();
+  for (const IndexEntry& entry : state.index) write(bytes_of(entry));
+  write(bytes_of(tail.index_offset));
+  write(bytes_of(tail.frames));
+  tail.checksum = XXH3_64bits_digest(state.hash.get());
+  write(bytes_of(tail.checksum));
+  write(bytes_of(tail.end));
+  state.file.commit();
+}
+
+}  // namespace sluice

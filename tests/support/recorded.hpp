@@ -1,0 +1,41 @@
+// A short recording made through the library, and what went into it.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/scene_file.hpp"
+#include "core/simulator.hpp"
+#include "cpu/backend.hpp"
+#include "media/recording.hpp"
+
+namespace sluice::test {
+
+struct Recorded {
+  Scene scene;
+  Samples samples;
+  std::vector<Moment> moments;
+
+  /// The start of `name` and so many steps, one frame each; a last frame repeats the step before.
+  Recorded(const std::filesystem::path& path, const std::string& name, uint64_t steps,
+           Precision precision = Precision::single_, const std::vector<std::string>& overrides = {})
+      : scene(load_scene(name, overrides)), samples(sample(scene)) {
+    const auto backend = cpu::make_backend(precision, 1);
+    Simulator simulator(scene, samples, *backend);
+    RecordingWriter writer(path, scene, precision, "a test");
+    StepReport report;
+    report.dt = simulator.dt();
+    for (uint64_t k = 0;; ++k) {
+      moments.push_back({report, 1e-3 * static_cast<double>(k), simulator.snapshot()});
+      writer.add(moments.back());
+      if (k == steps) break;
+      report = simulator.step();
+    }
+    moments.push_back(moments.back());
+    writer.add(moments.back());
+    writer.commit();
+  }
+};
+
+}  // namespace sluice::test

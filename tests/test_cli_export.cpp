@@ -1,0 +1,126 @@
+// `sluice run --record` and `sluice export`: what is made of a recording is what the run itself makes.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/support/run_program.hpp"
+
+namespace sluice::test {
+namespace {
+
+using Words = std::vector<std::string>;
+namespace fs = std::filesystem;
+
+std::vector<fs::path> files_in(const fs::path& folder) {
+  std::vector<fs::path> names;
+  for (const auto& entry : fs::directory_iterator(folder)) names.push_back(entry.path().filename());
+  std::ranges::sort(names);
+  return names;
+}
+
+void expect_same_files(const fs::path& a, const fs::path& b, size_t count) {
+  ASSERT_EQ(files_in(a), files_in(b));
+  EXPECT_EQ(files_in(a).size(), count);
+  for (const fs::path& name : files_in(a)) EXPECT_EQ(read_file(a / name), read_file(b / name)) << name;
+}
+
+struct Run {
+  std::string name;
+  Words words;
+  size_t frames;
+  friend void PrintTo(const Run& run, std::ostream* out) { *out << run.name; }
+};
+class ExportOf : public testing::TestWithParam<Run> {};
+
+TEST_P(ExportOf, MakesTheSamePicturesAndFilesAsTheRun) {
+  const TemporaryFolder folder;
+  Words run = GetParam().words;
+  run.insert(run.begin(), "run");
+  run.insert(run.end(), {"--quiet", "--overlay", "all", "--record", folder / "a.rec", "--frames",
+                         folder / "frames", "--vtk", folder / "vtk"});
+  const auto first = run_program(run);
+  ASSERT_EQ(first.code, 0) << first.err;
+  const auto second = run_program({"export", folder / "a.rec", "--overlay", "all", "--frames",
+                                   folder / "frames2", "--vtk", folder / "vtk2"});
+  ASSERT_EQ(second.code, 0) << second.err;
+  expect_same_files(folder / "frames", folder / "frames2", GetParam().frames);
+  expect_same_files(folder / "vtk", folder / "vtk2", GetParam().frames + 2);
+}
+
+const Run runs[] = {
+    {"CpuFloat", {"breaking_dam", "--backend", "cpu", "--time", "0.8"}, 21},
+    {"CpuDouble", {"wcsph_box", "--precision", "double", "--steps", "60"}, 4},
+    {"Gpu", {"breaking_dam", "--backend", "gpu", "--time", "0.8", "--colour", "pressure"}, 21},
+    {"MoreFramesThanSteps", {"inclined_plane", "--backend", "cpu", "--steps", "3", "--fps", "100"}, 13},
+};
+std::string run_name(const testing::TestParamInfo<Run>& info) { return info.param.name; }
+INSTANTIATE_TEST_SUITE_P(Runs, ExportOf, testing::ValuesIn(runs), run_name);
+
+TEST(Export, ChangesSizeColourAndOverlay) {
+  const TemporaryFolder folder;
+  const Words changes{"--size", "120x90", "--colour", "density", "--overlay", "none"};
+  Words run{"run", "breaking_dam", "--steps", "5", "--quiet", "--frames", folder / "frames"};
+  run.insert(run.end(), changes.begin(), changes.end());
+  ASSERT_EQ(run_program(run).code, 0);
+  ASSERT_EQ(
+      run_program({"run", "breaking_dam", "--steps", "5", "--quiet", "--record", folder / "a.rec"}).code, 0);
+  Words exported{"export", folder / "a.rec", "--frames", folder / "frames2"};
+  exported.insert(exported.end(), changes.begin(), changes.end());
+  const auto result = run_program(exported);
+  ASSERT_EQ(result.code, 0) << result.err;
+  EXPECT_EQ(result.out, "6 pictures in " + (folder / "frames2").string() + "\n");
+  expect_same_files(folder / "frames", folder / "frames2", 6);
+}
+
+TEST(Export, OfAnInvalidRunShowsItsLastFiniteState) {
+  const TemporaryFolder folder;
+  const auto run = run_program({"run", "wcsph_box", "--set", "time.dt=0.0045", "--fps", "1000", "--quiet",
+                                "--record", folder / "a.rec", "--frames", folder / "frames"});
+  ASSERT_EQ(run.code, 1) << run.err;
+  const auto result = run_program({"export", folder / "a.rec", "--frames", folder / "frames2", "--quiet"});
+  ASSERT_EQ(result.code, 0) << result.err;
+  EXPECT_EQ(result.out, "");
+  const size_t count = files_in(folder / "frames").size();
+  EXPECT_GT(count, 100u);
+  expect_same_files(folder / "frames", folder / "frames2", count);
+}
+
+TEST(Export, RefusesByName) {
+  const TemporaryFolder folder;
+  const std::string name = folder / "a.rec";
+  ASSERT_EQ(run_program({"run", "inclined_plane", "--steps", "2", "--quiet", "--record", name}).code, 0);
+  const auto nothing = run_program({"export", name});
+  EXPECT_EQ(nothing.code, 2);
+  EXPECT_EQ(nothing.err,
+            "sluice: export: found nothing to write, expected --frames DIR, --video FILE.mp4 or --vtk DIR\n");
+  fs::resize_file(name, fs::file_size(name) - 1);
+  const auto cut = run_program({"export", name, "--frames", folder / "frames"});
+  EXPECT_EQ(cut.code, 2);
+  EXPECT_TRUE(cut.err.starts_with("sluice: " + name + ": found a recording that was cut off or altered"))
+      << cut.err;
+  EXPECT_FALSE(fs::exists(folder / "frames"));
+}
+
+TEST(Export, ARecordingMayNotOverwriteAnotherOutput) {
+  const TemporaryFolder folder;
+  const std::string name = folder / "a";
+  const auto result =
+      run_program({"run", "inclined_plane", "--steps", "1", "--record", name, "--series", name});
+  EXPECT_EQ(result.code, 2);
+  EXPECT_NE(result.err.find("which is --series too"), std::string::npos) << result.err;
+  EXPECT_FALSE(fs::exists(name));
+}
+
+TEST(Export, AFailedRunKeepsTheFramesItHas) {
+  const TemporaryFolder folder;
+  // Standard output is not among what is saved; /dev/full fails as soon as the series is flushed to it.
+  const auto result = run_program({"run", "breaking_dam", "--backend", "cpu", "--steps", "4000", "--quiet",
+                                   "--series", "/dev/full", "--record", folder / "a.rec"});
+  EXPECT_EQ(result.code, 3) << result.err;
+  const auto exported = run_program({"export", folder / "a.rec", "--vtk", folder / "vtk", "--quiet"});
+  EXPECT_EQ(exported.code, 0) << exported.err;
+  EXPECT_GT(files_in(folder / "vtk").size(), 5u);
+}
+
+}  // namespace
+}  // namespace sluice::test
