@@ -4,7 +4,10 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <sstream>
+#include <string>
+#include <vector>
 
+#include "core/scene_file.hpp"
 #include "tests/support/run_program.hpp"
 
 namespace sluice::test {
@@ -39,7 +42,8 @@ TEST(Docs, EveryLinkLeadsSomewhere) {
   const std::regex link(R"(\]\(([^)#]+)(#[^)]*)?\))");
   int links = 0;
   for (const char* page : {"README.md", "docs/model.md", "docs/scenes.md", "docs/output.md",
-                           "docs/scene_keys.md", "docs/thesis_tables.md", "docs/benchmarks/cpu.md"}) {
+                           "docs/scene_keys.md", "docs/thesis_tables.md", "docs/benchmarks/cpu.md",
+                           "docs/writing_a_scene.md", "docs/methods.md", "docs/replicability.md"}) {
     const std::string text = read_file(source / page);
     for (std::sregex_iterator match(text.begin(), text.end(), link), end; match != end; ++match) {
       const std::string target = (*match)[1];
@@ -49,6 +53,24 @@ TEST(Docs, EveryLinkLeadsSomewhere) {
     }
   }
   EXPECT_GT(links, 20);
+}
+
+TEST(Docs, TheSceneOfTheTutorialParses) {
+  const std::string page = read_file(source / "docs" / "writing_a_scene.md");
+  const std::string fence = "```toml\n";
+  const size_t start = page.find(fence);
+  ASSERT_NE(start, std::string::npos);
+  const size_t end = page.find("```", start + fence.size());
+  ASSERT_NE(end, std::string::npos);
+  const std::string text = page.substr(start + fence.size(), end - start - fence.size());
+  EXPECT_NO_THROW(parse_scene(text, "my.toml"));
+}
+
+TEST(Docs, EveryShippedSceneIsDescribed) {
+  const std::string page = read_file(source / "docs" / "scenes.md");
+  const std::vector<std::string> scenes = shipped_scenes();
+  ASSERT_FALSE(scenes.empty());
+  for (const std::string& name : scenes) EXPECT_NE(page.find('`' + name + '`'), std::string::npos) << name;
 }
 
 }  // namespace
