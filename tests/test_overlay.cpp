@@ -125,6 +125,39 @@ TEST_F(OverlayTest, LabelsTellTheNumbersApart) {
   EXPECT_EQ(bar_labels(0, 0), (Labels{"0", "0", "0"}));
 }
 
+TEST_F(OverlayTest, TheBarAtTheBottomIsAsFullAsTheRecordingWasPlayed) {
+  Renderer renderer(context, {300, 300}, {0, 0}, {300, 300}, 10);
+  Frame shown = frame({}, {});
+  const Image plain = renderer.draw(shown);
+  EXPECT_FALSE(renderer.panels().timeline.has_value());
+  for (const double played : {0.0, 0.25, 1.0}) {
+    shown.played = played;
+    const Image image = renderer.draw(shown);
+    ASSERT_TRUE(renderer.panels().timeline.has_value());
+    const Box bar = *renderer.panels().timeline;
+    EXPECT_EQ(differences(plain, image, bar).second, 0) << "it leaves the rest alone";
+    EXPECT_GT(bar.top, 270);
+    const auto y = static_cast<uint32_t>((bar.top + bar.bottom) / 2);
+    for (const float place : {0.01f, 0.24f, 0.26f, 0.99f}) {
+      const auto x = static_cast<uint32_t>(bar.left + place * (bar.right - bar.left));
+      EXPECT_EQ(pixel(image, x, y)[0] < 200, double(place) < played) << place << " of " << played;
+    }
+  }
+}
+
+TEST_F(OverlayTest, LongTextMayCoverMoreThanHalf) {
+  Renderer renderer(context, {300, 300}, {0, 0}, {300, 300}, 10);
+  Frame shown = frame({}, {});
+  shown.text.assign(14, "a line");
+  renderer.draw(shown);
+  const float half = renderer.panels().text->bottom;
+  EXPECT_LE(half, 150);
+  shown.long_text = true;
+  renderer.draw(shown);
+  EXPECT_GT(renderer.panels().text->bottom, 150);
+  EXPECT_LE(renderer.panels().text->bottom, 300);
+}
+
 TEST_F(OverlayTest, PanelsLeaveHalfOfThePictureFree) {
   for (const glm::uvec2 size :
        {glm::uvec2(16, 16), glm::uvec2(40, 60), glm::uvec2(100, 100), glm::uvec2(200, 900)}) {

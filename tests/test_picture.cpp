@@ -156,6 +156,44 @@ TEST_F(PictureTest, TheViewKeepsItsProportionsAndIsCentred) {
   EXPECT_EQ(pixel(upright, 20, 160), (Pixel{255, 0, 0}));
 }
 
+TEST_F(PictureTest, ACameraEnlargesAndMoves) {
+  const std::vector<Vec2> fluid{{20, 20}};  // in the middle of the view, at pixel (30, 20)
+  const std::vector<double> values{red_speed};
+  Renderer renderer(context, {60, 40}, {0, 0}, {40, 40}, 6);
+  const Image plain = renderer.draw(frame(fluid, values));
+  const Pixel shade = pixel(plain, 0, 0), red{255, 0, 0};
+  renderer.look({60, 40}, {2, {-10, -10}});  // a circle of 12 pixels about (50, 30), the view from x = 10 on
+  const Image image = renderer.draw(frame(fluid, values));
+  for (const auto& [x, y] : {std::pair{50u, 30u}, {45u, 30u}, {54u, 30u}, {50u, 25u}, {50u, 34u}})
+    EXPECT_EQ(pixel(image, x, y), red) << x << ", " << y;
+  for (const auto& [x, y] : {std::pair{42u, 30u}, {57u, 30u}, {50u, 22u}, {50u, 37u}, {10u, 20u}, {59u, 0u}})
+    EXPECT_EQ(pixel(image, x, y), white) << x << ", " << y;
+  EXPECT_EQ(pixel(image, 9, 20), shade);
+  renderer.look({60, 40}, {});
+  EXPECT_TRUE(renderer.draw(frame(fluid, values)).rgb == plain.rgb);
+}
+
+TEST_F(PictureTest, APictureOfAnotherSizeIsThatOfARendererMadeForIt) {
+  const std::vector<Vec2> fluid{{20, 20}, {3, 5}, {39, 39}};
+  const std::vector<double> values{0.2, 0.5, red_speed};
+  Frame shown = frame(fluid, values);
+  shown.colour = Colour::density;
+  shown.text = {"Two lines", "of text"};
+  shown.colour_bar = true;
+  Renderer renderer(context, {60, 40}, {0, 0}, {40, 40}, 6);
+  renderer.set_boundary(fluid);
+  renderer.draw(shown);
+  for (const glm::uvec2 size : {glm::uvec2(300, 700), {900, 620}, {60, 40}}) {
+    Renderer made(context, size, {0, 0}, {40, 40}, 6);
+    made.set_boundary(fluid);
+    renderer.look(size, {});
+    const Image image = renderer.draw(shown);
+    EXPECT_EQ(glm::uvec2(image.width, image.height), size);
+    EXPECT_TRUE(image.rgb == made.draw(shown).rgb) << size.x << " x " << size.y;
+  }
+  EXPECT_THROW(renderer.look({8, 8}, {}), InputError);
+}
+
 TEST_F(PictureTest, FarFromTheOriginNothingChanges) {
   std::vector<Vec2> near, far;
   std::vector<double> values;

@@ -43,25 +43,37 @@ std::vector<Entry> load_entries(const gpu::Context& context) {
   return entries;
 }
 
-/// Cells of equal size, as near to square as they get.
-struct Grid {
-  glm::uvec2 cells, cell;
-
-  Grid(glm::uvec2 window, size_t count) {
-    const double wanted = std::sqrt(static_cast<double>(count) * window.x / window.y);
-    cells.x = std::clamp(static_cast<uint32_t>(std::lround(wanted)), 1u, static_cast<uint32_t>(count));
-    cells.y = (static_cast<uint32_t>(count) + cells.x - 1) / cells.x;
-    cell = glm::max(window / cells, gpu::smallest_picture);
+/// Rows of cells that fill the window, as near to square as they get, with a line between them.
+class Grid {
+ public:
+  Grid(glm::uvec2 window, size_t count) : window_(window), count_(static_cast<uint32_t>(count)) {
+    const double square = std::sqrt(static_cast<double>(count) * window.x / window.y);
+    columns_ = std::clamp(static_cast<uint32_t>(std::lround(square)), 1u, count_);
   }
 
-  glm::uvec2 corner(size_t k) const {
-    return cell * glm::uvec2(static_cast<uint32_t>(k) % cells.x, static_cast<uint32_t>(k) / cells.x);
+  gpu::Box cell(size_t k) const {
+    const uint32_t rows = (count_ + columns_ - 1) / columns_, row = static_cast<uint32_t>(k) / columns_;
+    const uint32_t in_row = std::min(columns_, count_ - row * columns_),
+                   column = static_cast<uint32_t>(k) % columns_;
+    const auto edge = [](uint32_t whole, uint32_t part, uint32_t parts) {
+      return static_cast<float>(whole * part / parts);
+    };
+    return {edge(window_.x, column, in_row), edge(window_.y, row, rows),
+            edge(window_.x, column + 1, in_row) - line, edge(window_.y, row + 1, rows) - line};
   }
-  std::optional<size_t> at(glm::dvec2 place, size_t count) const {
-    const glm::uvec2 here = glm::uvec2(glm::max(place, 0.0)) / cell;
-    const size_t k = size_t{here.y} * cells.x + here.x;
-    return here.x < cells.x && k < count ? std::optional(k) : std::nullopt;
+
+  std::optional<size_t> at(glm::vec2 place) const {
+    for (size_t k = 0; k < count_; ++k) {
+      const gpu::Box box = cell(k);
+      if (place.x >= box.left && place.x < box.right && place.y >= box.top && place.y < box.bottom) return k;
+    }
+    return std::nullopt;
   }
+
+ private:
+  static constexpr float line = 2;
+  glm::uvec2 window_;
+  uint32_t count_, columns_ = 1;
 };
 
 void show(Viewer& viewer, std::vector<Entry>& entries) {
@@ -78,9 +90,12 @@ void show(Viewer& viewer, std::vector<Entry>& entries) {
     for (size_t i = 0; i < state.x.size(); ++i)
       state.v[i] =
           start_velocity(entry.scene.fluid[entry.samples.fluid_shape[i]], entry.scene.spacing, state.x[i]);
-    entry.painter->renderer().look(grid.cell, {});
+    const gpu::Box cell = grid.cell(k);
+    const glm::uvec2 corner(cell.left, cell.top);
+    entry.painter->renderer().look(
+        glm::max(glm::uvec2(cell.right, cell.bottom) - corner, gpu::smallest_picture), {});
     entry.painter->paint(std::move(labels), entry.scene.dt, state);
-    entry.painter->renderer().show(grid.corner(k), window.y);
+    entry.painter->renderer().show(corner, window.y);
   }
   viewer.present();
 }
@@ -97,8 +112,7 @@ std::optional<std::string> choose_scene(Viewer& viewer) {
       std::optional<size_t> chosen;
       if (event.kind == WindowEvent::character && event.typed >= '1' && event.typed <= '9')
         chosen = event.typed - '1';
-      if (event.kind == WindowEvent::press)
-        chosen = Grid(viewer.size(), entries.size()).at(event.at, entries.size());
+      if (event.kind == WindowEvent::press) chosen = Grid(viewer.size(), entries.size()).at(event.at);
       if (chosen && *chosen < entries.size()) return entries[*chosen].scene.name;
     }
   }

@@ -300,7 +300,7 @@ bool ScenePlayer::step() {
   if (const auto& failure = show.simulator->failure()) {
     show.failure = failure_text(show.scene, show.statistics, *failure);
     paused_ = true;
-    viewer_.say("invalid run: " + show.failure);
+    fmt::print(stderr, "sluice: invalid run: {}\n", show.failure);  // and in the picture until it is mended
     return false;
   }
   const bool stops = (options_.steps && show.report.step == *options_.steps) ||
@@ -331,11 +331,11 @@ void ScenePlayer::advance() {
 std::vector<std::string> ScenePlayer::text() const {
   const Show& show = *show_;
   auto lines = overlay_text(show.scene, show.samples, show.report, viewer_.overlay(), show.seconds_per_step);
+  if (viewer_.overlay() != OverlayChoice::none && !show.failure.empty())
+    lines.push_back(fmt::format("invalid run: {}", show.failure));
   if (viewer_.overlay() != OverlayChoice::all) return lines;
   lines.push_back(fmt::format("compression {:.2g} %", 100 * show.report.diagnostics.mean_compression));
-  if (!show.failure.empty()) {
-    lines.push_back("invalid run: " + show.failure);
-  } else if (paused_) {
+  if (paused_) {
     lines.push_back("paused");
   } else {
     lines.push_back(fmt::format("real time × {:.3g}", pace_.factor()));
@@ -363,8 +363,7 @@ void ScenePlayer::show() {
 void ScenePlayer::run() {
   if (options_.steps == 0u || options_.time == 0.0) paused_ = stop_reached_ = true;
   while (!viewer_.over()) {
-    for (const WindowEvent& event : viewer_.turn(paused_ && !viewer_.changed()))
-      answer(event);
+    for (const WindowEvent& event : viewer_.turn(paused_ && !viewer_.changed())) answer(event);
     const uint64_t before = show_->simulator->steps();
     advance();
     if (viewer_.changed() || show_->simulator->steps() != before) show();
