@@ -1,5 +1,5 @@
 // sluice_recording_bench: what a frame of a recording costs: to write, to read wherever it is, and to read
-// and draw, in the thesis's scene of 7199 particles. The figures in docs/recordings.md are from here.
+// and draw, in the thesis's scene of 7199 particles. The figures in docs/watching.md are from here.
 #include <benchmark/benchmark.h>
 
 #include <filesystem>

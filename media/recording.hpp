@@ -23,7 +23,7 @@ struct Moment {
 };
 
 /// Writes a recording: the scene as it was run, then one compressed block per frame, an index and a checksum
-/// (docs/recordings.md). Numbers are kept with the bits that the run computed. Failures as of OutputFile.
+/// (docs/output.md). Numbers are kept with the bits that the run computed. Failures as of OutputFile.
 class RecordingWriter {
  public:
   /// `device` says where the run was computed, for people.

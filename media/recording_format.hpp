@@ -1,4 +1,4 @@
-// How a recording lies on the disk; docs/recordings.md describes it.
+// How a recording lies on the disk; docs/output.md describes it.
 #pragma once
 
 #include <array>

@@ -1,0 +1,36 @@
+// Builds without a window and without recordings: what is left out says how to get it.
+#include <gtest/gtest.h>
+
+#include "core/error.hpp"
+#include "media/recording.hpp"
+#include "media/window.hpp"
+
+namespace sluice::test {
+namespace {
+
+template <class Action>
+std::string refusal(Action action) {
+  try {
+    action();
+  } catch (const EnvironmentError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(Without, AWindowSaysHowToGetOne) {
+  EXPECT_EQ(refusal([] { Window({100, 100}, "title"); }),
+            "this program was built without a window; install libglfw3-dev and build it again with "
+            "-DSLUICE_WINDOW=ON, or make a film with `sluice run SCENE --video FILE.mp4`");
+}
+
+TEST(Without, RecordingsSayHowToGetThem) {
+  const std::string message =
+      "this program was built without recordings; install libzstd-dev and libxxhash-dev and build it again "
+      "with -DSLUICE_RECORDINGS=ON";
+  EXPECT_EQ(refusal([] { RecordingWriter("a.rec", Scene(), Precision::single_, "device"); }), message);
+  EXPECT_EQ(refusal([] { Recording("a.rec"); }), message);
+}
+
+}  // namespace
+}  // namespace sluice::test
