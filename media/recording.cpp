@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.hpp"
+#include "core/memory.hpp"
 #include "core/scene_file.hpp"
 #include "media/recording_format.hpp"
 
@@ -160,18 +161,22 @@ Recording::Recording(const std::filesystem::path& path, std::span<const std::str
   State& state = *state_;
   const uint32_t header_size = read_preamble(state.source);
   state.index = read_index(state.source, checked_tail(state.source));
+  const std::string header = state.source.read(preamble_size, header_size);
   try {
-    const auto json = nlohmann::json::parse(state.source.read(preamble_size, header_size));
+    const auto json = nlohmann::json::parse(header);
     auto changes = json.at("overrides").get<std::vector<std::string>>();
     changes.insert(changes.end(), overrides.begin(), overrides.end());
     state.scene =
         parse_scene(json.at("text").get<std::string>(), json.at("file").get<std::string>(), changes);
+    require_memory(state.scene, Precision::single_, available_memory());
     state.samples = sample(state.scene);
     state.precision =
         json.at("precision").get<std::string>() == "double" ? Precision::double_ : Precision::single_;
     state.device = json.at("device").get<std::string>();
   } catch (const nlohmann::json::exception&) {
     state.source.refuse_altered();
+  } catch (const InputError& error) {
+    state.source.refuse(fmt::format("found a scene in it that this version can't read: {}", error.what()));
   }
 }
 

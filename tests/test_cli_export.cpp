@@ -2,8 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <thread>
 
-#include "tests/support/run_program.hpp"
+#include "tests/support/running_program.hpp"
 
 namespace sluice::test {
 namespace {
@@ -99,6 +102,25 @@ TEST(Export, RefusesByName) {
   EXPECT_TRUE(cut.err.starts_with("sluice: " + name + ": found a recording that was cut off or altered"))
       << cut.err;
   EXPECT_FALSE(fs::exists(folder / "frames"));
+}
+
+TEST(Export, InterruptedItKeepsWhatItHas) {
+  const TemporaryFolder folder;
+  const std::string name = folder / "a.rec";
+  ASSERT_EQ(run_program({"run", "breaking_dam", "--time", "20", "--quiet", "--record", name}).code, 0);
+  RunningProgram program(
+      {"export", name, "--size", "2000x3000", "--frames", folder / "frames", "--vtk", folder / "vtk"});
+  while (program.running() && !fs::exists(folder / "frames/frame_000003.png"))
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  program.send(SIGINT);
+  const ProgramResult result = program.wait();
+  EXPECT_EQ(result.code, 0);
+  EXPECT_NE(result.err.find("of 501; what was asked for is written up to there"), std::string::npos)
+      << result.err;
+  const size_t count = files_in(folder / "frames").size();
+  EXPECT_GT(count, 3u);
+  EXPECT_LT(count, 501u);
+  EXPECT_EQ(files_in(folder / "vtk").size(), count + 2);
 }
 
 TEST(Export, ARecordingMayNotOverwriteAnotherOutput) {

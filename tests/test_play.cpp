@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <glm/glm.hpp>
 
 #include "tests/support/played.hpp"
 
@@ -145,6 +146,31 @@ TEST(Play, DragPansWheelZoomsAndZeroShowsAllAgain) {
   EXPECT_EQ(played.screenshot().png, whole);
   played.xdotool("click 5");
   EXPECT_NE(played.screenshot().png, whole);
+  EXPECT_EQ(played.quit().code, 0);
+}
+
+glm::uvec2 size_of(const Png& png) {
+  const auto number = [&](size_t at) {  // of the header, most significant byte first
+    uint32_t value = 0;
+    for (size_t k = at; k < at + 4; ++k) value = value << 8 | static_cast<uint8_t>(png.bytes.at(k));
+    return value;
+  };
+  return {number(16), number(20)};
+}
+
+TEST(Play, TheWindowMayHaveAnySize) {
+  Played played({"breaking_dam", "--steps", "0"});
+  for (const glm::uvec2 size : {glm::uvec2(900, 500), {120, 80}, {5, 3}, {400, 600}}) {
+    played.resize(size.x, size.y);
+    EXPECT_EQ(size_of(played.screenshot().png), glm::max(size, 16u)) << size.x << " x " << size.y;
+  }
+  EXPECT_EQ(played.quit().code, 0);
+}
+
+TEST(Play, ATimeStepStaysWithinReason) {
+  Played played({"breaking_dam", "--steps", "0"});
+  for (int k = 0; k < 31; ++k) played.press({"minus"});
+  played.wait_for("sluice: dt stays ");
   EXPECT_EQ(played.quit().code, 0);
 }
 

@@ -101,7 +101,11 @@ TEST_F(PlayRecording, SaysThatItCannotBeSimulatedOtherwise) {
   played.press({"1"});
   played.wait_for("this is a recording; `sluice play SCENE` simulates, with other choices");
   EXPECT_EQ(played.quit().code, 0);
-  for (const Words& option : {Words{"--steps", "3"}, {"--time", "1"}, {"--backend", "cpu"}}) {
+  for (const Words& option : {Words{"--steps", "3"},
+                              {"--time", "1"},
+                              {"--backend", "cpu"},
+                              {"--precision", "double"},
+                              {"--set", "time.dt=1"}}) {
     const ProgramResult result = run_program({"play", recording, option[0], option[1]});
     EXPECT_EQ(result.code, 2);
     EXPECT_NE(result.err.find("found a recording with an option of runs"), std::string::npos) << result.err;

@@ -1,6 +1,7 @@
 // Recordings: every bit of a run comes back, in any order, and a file that isn't what was written is refused
 // by name.
 #include <gtest/gtest.h>
+#include <xxhash.h>
 
 #include <fstream>
 
@@ -154,6 +155,35 @@ TEST_F(DamagedRecording, AnotherKindOfFileIsNamedSo) {
   EXPECT_EQ(refusal("[scene]\ntitle = \"A scene\"\n"), other);
   EXPECT_EQ(refusal_of(folder / "nowhere.rec"), "found a file that can't be read, expected a recording");
   EXPECT_EQ(refusal_of(folder.path), "found a file that can't be read, expected a recording");
+}
+
+TEST_F(DamagedRecording, ASceneInsideThatThisVersionDoesNotKnowIsNamed) {
+  Scene strange = written.scene;
+  strange.text.replace(strange.text.find("spacing"), 7, "spacung");
+  RecordingWriter writer(folder / "strange.rec", strange, Precision::single_, "a test");
+  writer.add(written.moments[0]);
+  writer.commit();
+  const std::string message = refusal_of(folder / "strange.rec");
+  EXPECT_TRUE(message.starts_with("found a scene in it that this version can't read: ")) << message;
+  EXPECT_NE(message.find("particles.spacung: found an unknown key"), std::string::npos) << message;
+}
+
+/// Whoever works out the checksum anew still can't make the program read beyond the file.
+TEST_F(DamagedRecording, NumbersThatLieAreRefusedEvenWithTheRightChecksum) {
+  const size_t tail = bytes.size() - 32, index = tail - 5 * 32;
+  const uint64_t huge = uint64_t{1} << 60;
+  for (const size_t place : {size_t{20}, index, index + 8, index + 32, index + 40, tail, tail + 8}) {
+    std::string changed = bytes;
+    changed.replace(place, place == 20 ? 4 : 8, reinterpret_cast<const char*>(&huge), place == 20 ? 4 : 8);
+    if (place == 20) changed[23] = '\x7f';  // the size of the header
+    const uint64_t checksum = XXH3_64bits(changed.data(), tail + 16);
+    changed.replace(tail + 16, 8, reinterpret_cast<const char*>(&checksum), 8);
+    EXPECT_TRUE(refusal(changed).starts_with("found a recording that was cut off or altered")) << place;
+  }
+  std::string same = bytes;
+  const uint64_t checksum = XXH3_64bits(same.data(), tail + 16);
+  same.replace(tail + 16, 8, reinterpret_cast<const char*>(&checksum), 8);
+  EXPECT_EQ(refusal(same), "accepted") << "the checksum is worked out as the writer does";
 }
 
 TEST_F(DamagedRecording, OneThatChangesWhileItIsOpenIsRefusedToo) {

@@ -1,6 +1,9 @@
 // `sluice export`: pictures, a film or files for ParaView from a recording, without simulating again.
+#include <fmt/format.h>
+
 #include "apps/sluice/commands.hpp"
 #include "apps/sluice/frames.hpp"
+#include "apps/sluice/interrupt.hpp"
 #include "core/error.hpp"
 #include "gpu/context.hpp"
 #include "media/recording.hpp"
@@ -20,12 +23,24 @@ int export_command(const ExportOptions& options) {
                                            gpu::ShaderLibrary(options.machine.shader_dir));
                          return *context;
                        });
-  for (size_t k = 0; k < recording.frames(); ++k) {
-    const Moment moment = recording.moment(k);
-    outputs.add(moment.report, moment.seconds_per_step, {[&] { return moment.state; }, nullptr});
+  note_interrupts();
+  size_t done = 0;
+  try {
+    for (; done < recording.frames() && !interrupted(); ++done) {
+      const Moment moment = recording.moment(done);
+      outputs.add(moment.report, moment.seconds_per_step, {[&] { return moment.state; }, nullptr});
+    }
+  } catch (const Error&) {
+    outputs.save();
+    throw;
   }
   outputs.finish();
   outputs.tell(options.quiet);
+  if (interrupted()) {
+    fmt::print(stderr,
+               "sluice: interrupted after frame {} of {}; what was asked for is written up to there\n", done,
+               recording.frames());
+  }
   return 0;
 }
 

@@ -1,6 +1,8 @@
 // `sluice play`: a scene, a recording, or the list of scenes in a window.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "apps/sluice/commands.hpp"
 #include "apps/sluice/play_menu.hpp"
 #include "apps/sluice/play_recording.hpp"
@@ -15,11 +17,15 @@ constexpr glm::uvec2 menu_size{960, 720};
 
 /// What belongs to a run is refused for a recording, which is one already.
 void refuse_options_of_runs(const PlayOptions& options) {
-  if (options.machine.backend != BackendChoice::automatic || options.steps || options.time) {
-    throw InputError(fmt::format(
-        "{}: found a recording with an option of runs (--backend, --steps, --time), expected a scene with it",
-        options.source));
-  }
+  const bool changes_scene = std::ranges::any_of(
+      options.overrides, [](const std::string& text) { return !text.starts_with("output."); });
+  if (options.machine.backend == BackendChoice::automatic &&
+      options.machine.precision == Precision::single_ && !options.steps && !options.time && !changes_scene)
+    return;
+  throw InputError(fmt::format(
+      "{}: found a recording with an option of runs (--backend, --precision, --steps, --time, --set other "
+      "than of output), expected a scene with it",
+      options.source));
 }
 
 int play_recording(const PlayOptions& options) {

@@ -3,13 +3,13 @@
 
 #include <chrono>
 #include <cmath>
-#include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <map>
 
 #include "apps/sluice/commands.hpp"
 #include "apps/sluice/frames.hpp"
+#include "apps/sluice/interrupt.hpp"
 #include "apps/sluice/machine.hpp"
 #include "apps/sluice/progress.hpp"
 #include "apps/sluice/warnings.hpp"
@@ -29,9 +29,6 @@ using Clock = std::chrono::steady_clock;
 /// What a software OpenGL takes, in multiples of the fields.
 constexpr double gpu_memory = 1.5;
 constexpr double most_frames = 1e6;  // frame names have six digits
-
-volatile std::sig_atomic_t stop_requested = 0;
-extern "C" void request_stop(int) { stop_requested = 1; }
 
 uint64_t step_count(const RunOptions& options, const Scene& scene) {
   if (options.steps) return *options.steps;
@@ -133,7 +130,7 @@ void simulate(Simulator& simulator, uint64_t steps, Outputs& outputs, Progress& 
   StepReport start;
   start.dt = simulator.dt();
   outputs.add(simulator, start, 0);
-  while (simulator.steps() < steps && !simulator.failure() && stop_requested == 0) {
+  while (simulator.steps() < steps && !simulator.failure() && !interrupted()) {
     const Clock::time_point before = Clock::now();
     const StepReport report = simulator.step();
     const double step_seconds = std::chrono::duration<double>(Clock::now() - before).count();
@@ -152,7 +149,7 @@ int report_end(const RunSummary& summary, uint64_t steps, bool quiet) {
     return 1;
   }
   warn_of_poor_run(summary.statistics, quiet);
-  if (stop_requested != 0) {
+  if (interrupted()) {
     fmt::print(stderr, "sluice: interrupted after step {} of {}; what was asked for is written up to there\n",
                summary.simulator.steps(), steps);
   }
@@ -177,8 +174,7 @@ int run_command(const RunOptions& options) {
   for (const std::string& limit : beyond_limits(scene)) warn(options.quiet, limit);
 
   Simulator simulator(scene, samples, machine.backend());  // may refuse the scene: then nothing is written
-  std::signal(SIGINT, request_stop);                       // from here on there is something to finish
-  std::signal(SIGTERM, request_stop);
+  note_interrupts();                                       // from here on there is something to finish
   Outputs outputs(options, scene, samples, machine);
   RunStatistics statistics;
   RunSummary summary{scene, samples, machine.backend(), simulator, statistics};

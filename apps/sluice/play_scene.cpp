@@ -17,7 +17,7 @@
 namespace sluice {
 namespace {
 
-constexpr double dt_per_key = 1.25;
+constexpr double dt_per_key = 1.25, most_dt_factor = 1000;
 constexpr double speed_per_key = 2, least_speed = 1.0 / 1024, most_speed = 1024;
 constexpr double largest_viscous_number = 0.4;  // nu dt/h^2, a little below what an explicit viscosity bears
 
@@ -236,6 +236,9 @@ void ScenePlayer::go_to_scene(int steps) {
 }
 
 void ScenePlayer::change_dt(double factor) {
+  const double total = choice_.dt_factor * factor;
+  if (total < 1 / most_dt_factor || total > most_dt_factor)
+    return viewer_.say(fmt::format("dt stays {:g}", show_->simulator->dt()));
   if (!show_->failure.empty()) {  // from the start, with the other step
     Choice choice = choice_;
     choice.dt_factor *= factor;
@@ -282,7 +285,8 @@ void ScenePlayer::answer_character(char32_t typed) {
     case 'p': return go_to_scene(-1);
     case '[': return refine(1.25);
     case ']': return refine(0.8);
-    case '+': return change_dt(dt_per_key);
+    case '+':
+    case '=': return change_dt(dt_per_key);
     case '-': return change_dt(1 / dt_per_key);
     default: return;
   }

@@ -117,7 +117,7 @@ void Viewer::show(gpu::Painter& painter, Frame labels, const std::string& name,
   } else if (overlay_ != OverlayChoice::none && !message_.empty()) {
     labels.text.push_back(message_);
   }
-  painter.renderer().look(window_.size(), camera_);
+  painter.renderer().look(glm::max(window_.size(), gpu::smallest_picture), camera_);
   paint(std::move(labels));
   timeline_ = painter.renderer().panels().timeline;
   if (std::exchange(wants_screenshot_, false)) save_screenshot(painter.renderer(), name);

@@ -97,6 +97,10 @@ std::string Played::xdotool(const std::string& words) const {
   return output_of(fmt::format("DISPLAY={} xdotool {} 2>/dev/null", display_.name(), words));
 }
 
+void Played::resize(uint32_t width, uint32_t height) {
+  xdotool(fmt::format("windowsize --sync {} {} {}", window_, width, height));
+}
+
 void Played::press(const std::vector<std::string>& keys) {
   for (const std::string& key : keys) xdotool("key " + key);
 }

@@ -41,6 +41,7 @@ class Played {
   /// and throws when there is none after a minute.
   explicit Played(const std::vector<std::string>& words);
 
+  void resize(uint32_t width, uint32_t height);
   /// Presses keys by their X names, one after the other: "space", "bracketleft".
   void press(const std::vector<std::string>& keys);
   /// Any other words for xdotool; returns what it says.

@@ -1,0 +1,10 @@
+// Ctrl-C as a wish: what was asked for is written up to there.
+#pragma once
+
+namespace sluice {
+
+/// From here on SIGINT and SIGTERM don't end the program but are remembered.
+void note_interrupts();
+bool interrupted();
+
+}  // namespace sluice
