@@ -8,12 +8,15 @@ namespace sluice {
 /// Frame k shows the state after the first step whose time is at least k/fps; frame 0 the start.
 class FrameClock {
  public:
+  /// A time that rounding keeps this much short of a frame's counts as reached.
+  static constexpr double slack = 1e-9;
+
   explicit FrameClock(double fps) : fps_(fps) {}
 
   /// How many frames are due at this time that were not before.
   uint64_t advance(double time) {
     const uint64_t before = count_;
-    while (time >= static_cast<double>(count_) / fps_ - 1e-9) ++count_;
+    while (time >= static_cast<double>(count_) / fps_ - slack) ++count_;
     return count_ - before;
   }
 

@@ -20,6 +20,8 @@ struct Box {
 struct Camera {
   double zoom = 1;
   Vec2 shift{};  ///< pixels, y down
+
+  friend bool operator==(const Camera&, const Camera&) = default;
 };
 
 /// How simulated positions become pixels: pixel = origin + scale * (position - corner), with scale.y

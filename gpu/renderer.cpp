@@ -86,6 +86,7 @@ struct Renderer::State {
   const Context& context;
   glm::uvec2 size;
   Vec2 low, high;
+  Camera camera;
   View view;
   Renderbuffer pixels;
   Framebuffer framebuffer;
@@ -107,6 +108,7 @@ const Panels& Renderer::panels() const { return state_->panels; }
 
 void Renderer::look(glm::uvec2 size, const Camera& camera) {
   State& state = *state_;
+  if (size == state.size && camera == state.camera) return;
   const View view(checked_size(state.context, size), state.low, state.high, camera);
   if (size != state.size) {
     state.size = size;
@@ -114,6 +116,7 @@ void Renderer::look(glm::uvec2 size, const Camera& camera) {
     state.overlay.resize(size);
   }
   state.view = view;
+  state.camera = camera;
   state.particles.look(view);
 }
 

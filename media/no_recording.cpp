@@ -21,7 +21,7 @@ RecordingWriter::RecordingWriter(const std::filesystem::path&, const Scene&, Pre
 }
 RecordingWriter::~RecordingWriter() = default;
 RecordingWriter::RecordingWriter(RecordingWriter&&) noexcept = default;
-void RecordingWriter::add(const Moment&) {}
+void RecordingWriter::add(const StepReport&, double, const Snapshot&) {}
 size_t RecordingWriter::frames() const { return 0; }
 void RecordingWriter::commit() {}
 
@@ -31,11 +31,7 @@ Recording::Recording(Recording&&) noexcept = default;
 const Scene& Recording::scene() const { refuse(); }
 const Samples& Recording::samples() const { refuse(); }
 Precision Recording::precision() const { refuse(); }
-const std::string& Recording::device() const { refuse(); }
 size_t Recording::frames() const { return 0; }
-double Recording::time(size_t) const { return 0; }
 Moment Recording::moment(size_t) const { return {}; }
-
-bool is_recording(const std::filesystem::path&) { return false; }
 
 }  // namespace sluice

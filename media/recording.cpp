@@ -5,12 +5,13 @@
 #include <xxhash.h>
 #include <zstd.h>
 
-#include <cerrno>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "core/error.hpp"
 #include "core/memory.hpp"
 #include "core/scene_file.hpp"
+#include "core/verdict.hpp"
 #include "media/recording_format.hpp"
 
 namespace sluice {
@@ -26,7 +27,9 @@ class Source {
   explicit Source(std::filesystem::path path) : path_(std::move(path)), file_(path_, std::ios::binary) {
     std::error_code error;
     size_ = std::filesystem::file_size(path_, error);
-    if (!file_ || error) refuse("found a file that can't be read, expected a recording");
+    if (std::filesystem::is_directory(path_, error)) refuse("found a folder, expected a recording");
+    if (!std::filesystem::exists(path_, error)) refuse("found no such file, expected a recording");
+    if (!file_ || size_ == no_size) refuse("found a file that can't be read, expected a recording");
   }
 
   std::string read(uint64_t offset, uint64_t bytes) {
@@ -53,6 +56,7 @@ class Source {
  private:
   std::filesystem::path path_;
   std::ifstream file_;
+  static constexpr auto no_size = static_cast<uint64_t>(-1);  // as the library has it
   uint64_t size_ = 0;
 };
 
@@ -83,7 +87,8 @@ Tail checked_tail(Source& source) {
                           tail.index_offset == end - tail.frames * sizeof(IndexEntry);
   if (tail.end != Tail().end || !index_fits) source.refuse_altered();
   const std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> hash(XXH3_createState(), XXH3_freeState);
-  XXH3_64bits_reset(hash.get());
+  if (!hash || XXH3_64bits_reset(hash.get()) == XXH_ERROR)
+    throw EnvironmentError("no memory to check a recording");
   const uint64_t covered = end + 2 * sizeof(uint64_t);
   for (uint64_t at = 0; at < covered; at += chunk) {
     const std::string part = source.read(at, std::min<uint64_t>(chunk, covered - at));
@@ -152,7 +157,6 @@ struct Recording::State {
   Scene scene;
   Samples samples;
   Precision precision = Precision::single_;
-  std::string device;
   std::vector<IndexEntry> index;
 };
 
@@ -167,12 +171,12 @@ Recording::Recording(const std::filesystem::path& path, std::span<const std::str
     auto changes = json.at("overrides").get<std::vector<std::string>>();
     changes.insert(changes.end(), overrides.begin(), overrides.end());
     state.scene =
-        parse_scene(json.at("text").get<std::string>(), json.at("file").get<std::string>(), changes);
+        parse_scene(json.at("text").get<std::string>(),
+                    std::filesystem::path(json.at("file").get<std::string>()).filename().string(), changes);
     require_memory(state.scene, Precision::single_, available_memory());
     state.samples = sample(state.scene);
     state.precision =
         json.at("precision").get<std::string>() == "double" ? Precision::double_ : Precision::single_;
-    state.device = json.at("device").get<std::string>();
   } catch (const nlohmann::json::exception&) {
     state.source.refuse_altered();
   } catch (const InputError& error) {
@@ -186,9 +190,7 @@ Recording::Recording(Recording&&) noexcept = default;
 const Scene& Recording::scene() const { return state_->scene; }
 const Samples& Recording::samples() const { return state_->samples; }
 Precision Recording::precision() const { return state_->precision; }
-const std::string& Recording::device() const { return state_->device; }
 size_t Recording::frames() const { return state_->index.size(); }
-double Recording::time(size_t frame) const { return state_->index.at(frame).time; }
 
 Moment Recording::moment(size_t frame) const {
   const State& state = *state_;
@@ -214,16 +216,9 @@ Moment Recording::moment(size_t frame) const {
   } else {
     read_particles<float>(particles, moment.state);
   }
+  if (!std::isfinite(facts.time) || !std::isfinite(facts.dt) || !is_finite(moment.state))
+    state.source.refuse_altered();
   return moment;
-}
-
-bool is_recording(const std::filesystem::path& path) {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error)) return false;
-  std::ifstream file(path, std::ios::binary);
-  std::string start(magic.size(), '\0');
-  file.read(start.data(), static_cast<std::streamsize>(start.size()));
-  return start == magic;
 }
 
 }  // namespace sluice

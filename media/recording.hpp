@@ -32,12 +32,12 @@ class RecordingWriter {
   ~RecordingWriter();
   RecordingWriter(RecordingWriter&&) noexcept;
 
-  /// The next frame. A moment of the same step as the last one takes no room.
-  void add(const Moment& moment);
+  /// The next frame. One of the same step as the last takes no room.
+  void add(const StepReport& report, double seconds_per_step, const Snapshot& state);
 
   size_t frames() const;
 
-  /// Writes the index and gives the file its name.
+  /// Writes the index and gives the file its name. Without a frame there is no file.
   void commit();
 
  private:
@@ -60,11 +60,9 @@ class Recording {
   const Scene& scene() const;
   const Samples& samples() const;
   Precision precision() const;
-  const std::string& device() const;  ///< where the run was computed, for people
 
   size_t frames() const;  ///< one or more
-  double time(size_t frame) const;
-  /// Reads and unpacks a frame. InputError when the file changed since it was opened.
+  /// Reads and unpacks a frame. InputError when it changed since the file was opened.
   Moment moment(size_t frame) const;
 
  private:
@@ -72,7 +70,10 @@ class Recording {
   std::unique_ptr<State> state_;
 };
 
-/// Whether the file begins as a recording does.
+/// Whether the file begins as a recording does, however short it was cut.
 bool is_recording(const std::filesystem::path& path);
+
+/// InputError when it does: for where a scene is wanted.
+void refuse_recording(const std::filesystem::path& path);
 
 }  // namespace sluice

@@ -18,8 +18,7 @@ using namespace recording;
 
 constexpr int compression_level = 3;
 
-FrameFacts facts_of(const Moment& moment) {
-  const StepReport& report = moment.report;
+FrameFacts facts_of(const StepReport& report, double seconds_per_step) {
   const Diagnostics& d = report.diagnostics;
   FrameFacts facts;
   facts.step = report.step;
@@ -29,7 +28,7 @@ FrameFacts facts_of(const Moment& moment) {
   facts.time = report.time;
   facts.dt = report.dt;
   facts.residual = report.residual;
-  facts.seconds_per_step = moment.seconds_per_step;
+  facts.seconds_per_step = seconds_per_step;
   facts.mean_density = d.mean_density;
   facts.mean_compression = d.mean_compression;
   facts.max_compression = d.max_compression;
@@ -68,13 +67,6 @@ void append_particles(std::string& out, const Snapshot& state) {
   append_by_bytes<Real>(out, n, [&](size_t i) { return state.pressure[i]; });
 }
 
-struct HashDeleter {
-  void operator()(XXH3_state_t* state) const { XXH3_freeState(state); }
-};
-struct PackerDeleter {
-  void operator()(ZSTD_CCtx* packer) const { ZSTD_freeCCtx(packer); }
-};
-
 }  // namespace
 
 struct RecordingWriter::State {
@@ -83,8 +75,8 @@ struct RecordingWriter::State {
   OutputFile file;
   Precision precision;
   uint64_t written = 0;
-  std::unique_ptr<XXH3_state_t, HashDeleter> hash{XXH3_createState()};
-  std::unique_ptr<ZSTD_CCtx, PackerDeleter> packer{ZSTD_createCCtx()};
+  std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> hash{XXH3_createState(), &XXH3_freeState};
+  std::unique_ptr<ZSTD_CCtx, decltype(&ZSTD_freeCCtx)> packer{ZSTD_createCCtx(), &ZSTD_freeCCtx};
   std::vector<IndexEntry> index;
   std::string plain, packed;  // kept between frames
 };
@@ -94,9 +86,14 @@ RecordingWriter::RecordingWriter(const std::filesystem::path& path, const Scene&
     : state_(std::make_unique<State>(path, precision)) {
   if (!state_->hash || !state_->packer || XXH3_64bits_reset(state_->hash.get()) == XXH_ERROR)
     throw EnvironmentError(fmt::format("{}: no memory to write a recording", path.string()));
-  const nlohmann::ordered_json json = {
-      {"version", version()}, {"precision", name_of(precision)}, {"device", device},
-      {"file", scene.file},   {"overrides", scene.overrides},    {"text", scene.text}};
+  ZSTD_CCtx_setParameter(state_->packer.get(), ZSTD_c_compressionLevel, compression_level);
+  ZSTD_CCtx_setParameter(state_->packer.get(), ZSTD_c_checksumFlag, 1);
+  const nlohmann::ordered_json json = {{"version", version()},
+                                       {"precision", name_of(precision)},
+                                       {"device", device},
+                                       {"file", std::filesystem::path(scene.file).filename().string()},
+                                       {"overrides", scene.overrides},
+                                       {"text", scene.text}};
   const std::string header = json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
   write(magic);
   write(bytes_of(format));
@@ -113,25 +110,25 @@ void RecordingWriter::write(std::string_view bytes) {
   state_->written += bytes.size();
 }
 
-void RecordingWriter::add(const Moment& moment) {
+void RecordingWriter::add(const StepReport& report, double seconds_per_step, const Snapshot& particles) {
   State& state = *state_;
-  if (!state.index.empty() && state.index.back().step == moment.report.step) {
+  if (!state.index.empty() && state.index.back().step == report.step) {
     state.index.push_back(state.index.back());
     return;
   }
-  state.plain = bytes_of(facts_of(moment));
+  state.plain = bytes_of(facts_of(report, seconds_per_step));
   if (state.precision == Precision::double_) {
-    append_particles<double>(state.plain, moment.state);
+    append_particles<double>(state.plain, particles);
   } else {
-    append_particles<float>(state.plain, moment.state);
+    append_particles<float>(state.plain, particles);
   }
   state.packed.resize(ZSTD_compressBound(state.plain.size()));
-  const size_t size = ZSTD_compressCCtx(state.packer.get(), state.packed.data(), state.packed.size(),
-                                        state.plain.data(), state.plain.size(), compression_level);
+  const size_t size = ZSTD_compress2(state.packer.get(), state.packed.data(), state.packed.size(),
+                                     state.plain.data(), state.plain.size());
   if (ZSTD_isError(size) != 0)
     throw EnvironmentError(
         fmt::format("{}: a frame can't be packed: {}", state.file.path().string(), ZSTD_getErrorName(size)));
-  state.index.push_back({state.written, size, moment.report.step, moment.report.time});
+  state.index.push_back({state.written, size, report.step, report.time});
   write(std::string_view(state.packed).substr(0, size));
 }
 
@@ -139,6 +136,7 @@ size_t RecordingWriter::frames() const { return state_->index.size(); }
 
 void RecordingWriter::commit() {
   State& state = *state_;
+  if (state.index.empty()) return;
   Tail tail;
   tail.index_offset = state.written;
   tail.frames = state.index.size();

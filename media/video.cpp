@@ -51,9 +51,9 @@ std::vector<std::string> arguments(glm::uvec2 size, double pictures_per_second, 
           "scale=out_color_matrix=bt709:out_range=tv:flags=bicubic+accurate_rnd+full_chroma_int",
           "-pix_fmt", "yuv420p", "-colorspace", "bt709", "-color_primaries", "bt709", "-color_trc", "bt709",
           "-color_range", "tv",
-          // what goes out
-          "-c:v", "libx264", "-crf", "16", "-movflags", "+faststart", "-f", "mp4",
-          fmt::format("file:{}", target.string())};
+          // what goes out; left to choose, ffmpeg takes 240 for 250 with some sizes and drops pictures
+          "-r", fmt::format("{:.17g}", pictures_per_second), "-fps_mode", "passthrough", "-c:v", "libx264",
+          "-crf", "16", "-movflags", "+faststart", "-f", "mp4", fmt::format("file:{}", target.string())};
 }
 
 /// A process group of its own keeps the terminal's Ctrl-C from it: the run ends in order, and so does the
@@ -84,6 +84,18 @@ int spawn(std::vector<std::string> words, int input, int messages, pid_t& pid) {
   return failed;
 }
 
+/// Where this program was started without standard input or output, files get their numbers, which ffmpeg's
+/// own would then take from them.
+int beyond_standard(int descriptor) {
+  if (descriptor < 0 || descriptor > STDERR_FILENO) return descriptor;
+  const int moved = fcntl(descriptor, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
+  close(descriptor);
+  return moved;
+}
+
+/// The status of a process that ended with code 255.
+constexpr int unknown_status = 0xff00;
+
 std::string start_failure(const fs::path& path, int reason) {
   if (reason == ENOENT)
     return fmt::format("{}: a video needs ffmpeg, which is not installed; install the package ffmpeg",
@@ -110,9 +122,10 @@ VideoFile::~VideoFile() {
 /// A pair of sockets serves as the pipe, since a socket can be written without a signal when ffmpeg is gone.
 void VideoFile::start(double pictures_per_second) {
   std::array<int, 2> ends{-1, -1};
-  messages_ = memfd_create("ffmpeg", MFD_CLOEXEC);
+  messages_ = beyond_standard(memfd_create("ffmpeg", MFD_CLOEXEC));
   int reason = messages_ < 0 ? errno : 0;
   if (reason == 0 && socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) reason = errno;
+  ends[0] = beyond_standard(ends[0]);
   if (reason == 0)
     reason = spawn(arguments(size_, pictures_per_second, file_->temporary()), ends[0], messages_, ffmpeg_);
   close_once(ends[0]);
@@ -152,7 +165,9 @@ void VideoFile::finish() {
 int VideoFile::end() {
   close_once(pictures_);
   int status = 0;
-  while (ffmpeg_ > 0 && waitpid(ffmpeg_, &status, 0) < 0 && errno == EINTR) continue;
+  pid_t ended = ffmpeg_;
+  while (ffmpeg_ > 0 && (ended = waitpid(ffmpeg_, &status, 0)) < 0 && errno == EINTR) continue;
+  if (ended < 0) status = unknown_status;  // somebody else has waited, or SIGCHLD is ignored
   ffmpeg_ = -1;
   return status;
 }

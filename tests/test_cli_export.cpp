@@ -1,4 +1,5 @@
 // `sluice run --record` and `sluice export`: what is made of a recording is what the run itself makes.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -133,15 +134,88 @@ TEST(Export, ARecordingMayNotOverwriteAnotherOutput) {
   EXPECT_FALSE(fs::exists(name));
 }
 
+/// Rows that fill a buffer fail in mid-run, a few rows only when the file is finished.
 TEST(Export, AFailedRunKeepsTheFramesItHas) {
+  for (const char* steps : {"4000", "20"}) {
+    const TemporaryFolder folder;
+    const ProgramResult result = run_program({"run", "breaking_dam", "--backend", "cpu", "--steps", steps,
+                                              "--quiet", "--series", "/dev/full", "--summary", "/dev/full",
+                                              "--record", folder / "a.rec", "--vtk", folder / "vtk"});
+    EXPECT_EQ(result.code, 3) << result.err;
+    EXPECT_TRUE(fs::exists(folder / "vtk/fluid.pvd"));
+    const ProgramResult exported =
+        run_program({"export", folder / "a.rec", "--vtk", folder / "vtk2", "--quiet"});
+    EXPECT_EQ(exported.code, 0) << exported.err;
+    EXPECT_GT(files_in(folder / "vtk2").size(), 5u);
+  }
+}
+
+TEST(Export, AnOutputThatFailsAtTheEndTakesNoOtherWithIt) {
   const TemporaryFolder folder;
-  // Standard output is not among what is saved; /dev/full fails as soon as the series is flushed to it.
-  const auto result = run_program({"run", "breaking_dam", "--backend", "cpu", "--steps", "4000", "--quiet",
-                                   "--series", "/dev/full", "--record", folder / "a.rec"});
-  EXPECT_EQ(result.code, 3) << result.err;
-  const auto exported = run_program({"export", folder / "a.rec", "--vtk", folder / "vtk", "--quiet"});
-  EXPECT_EQ(exported.code, 0) << exported.err;
-  EXPECT_GT(files_in(folder / "vtk").size(), 5u);
+  const ProgramResult run = run_program({"run", "breaking_dam", "--steps", "3", "--quiet", "--record",
+                                         "/dev/full", "--video", folder / "a.mp4", "--vtk", folder / "vtk"});
+  EXPECT_EQ(run.code, 3);
+  EXPECT_NE(run.err.find("/dev/full"), std::string::npos) << run.err;
+  EXPECT_TRUE(fs::exists(folder / "a.mp4"));
+  EXPECT_TRUE(fs::exists(folder / "vtk/fluid.pvd"));
+}
+
+TEST(Export, DoesNotOverwriteTheRecording) {
+  const TemporaryFolder folder;
+  const std::string name = folder / "a.mp4";
+  ASSERT_EQ(run_program({"run", "inclined_plane", "--steps", "2", "--quiet", "--record", name}).code, 0);
+  const std::string bytes = read_file(name);
+  const ProgramResult result = run_program({"export", name, "--video", name});
+  EXPECT_EQ(result.code, 2);
+  EXPECT_NE(result.err.find("which is the recording too"), std::string::npos) << result.err;
+  EXPECT_EQ(read_file(name) == bytes, true);
+}
+
+TEST(Export, ARecordingWhereASceneIsWantedIsNamedSo) {
+  const TemporaryFolder folder;
+  const std::string name = folder / "a.rec";
+  ASSERT_EQ(run_program({"run", "inclined_plane", "--steps", "2", "--quiet", "--record", name}).code, 0);
+  for (const char* command : {"run", "info", "agree"}) {
+    const ProgramResult result = run_program({command, name});
+    EXPECT_EQ(result.code, 2);
+    EXPECT_EQ(result.err, fmt::format("sluice: {}: found a recording, expected a scene; use `sluice play` or "
+                                      "`sluice export` for it\n",
+                                      name));
+  }
+}
+
+TEST(Export, TwoOutputsInOnePlaceAreRefused) {
+  const TemporaryFolder folder;
+  const std::string one = folder / "one";
+  for (const Words& pair : {Words{"--frames", one, "--vtk", one + "/"}, {"--frames", one, "--record", one}}) {
+    Words words{"run", "inclined_plane", "--steps", "1"};
+    words.insert(words.end(), pair.begin(), pair.end());
+    const ProgramResult result = run_program(words);
+    EXPECT_EQ(result.code, 2);
+    EXPECT_NE(result.err.find("too, expected a place of its own"), std::string::npos) << result.err;
+    EXPECT_FALSE(fs::exists(one));
+  }
+}
+
+TEST(Export, ShowsItsProgressOnATerminal) {
+  const TemporaryFolder folder;
+  const std::string name = folder / "a.rec";
+  ASSERT_EQ(run_program({"run", "breaking_dam", "--time", "2", "--quiet", "--record", name}).code, 0);
+  RunningProgram program({"export", name, "--frames", folder / "frames"},
+                         {.environment = {}, .terminal = true});
+  const std::string shown = program.wait().err;
+  EXPECT_NE(shown.find(" frames/s  dt 0.04 "), std::string::npos) << shown;
+}
+
+TEST(Export, ManyFramesAreRefusedOnlyWhereFramesAreMade) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(run_program({"run", "inclined_plane", "--steps", "3", "--quiet", "--fps", "1e12"}).code, 0);
+  for (const char* steps : {"0", "3"}) {
+    const ProgramResult result = run_program(
+        {"run", "inclined_plane", "--steps", steps, "--quiet", "--fps", "1e16", "--vtk", folder / "vtk"});
+    EXPECT_EQ(result.code, 2) << steps;
+    EXPECT_NE(result.err.find("frames, expected at most 1e+06"), std::string::npos) << result.err;
+  }
 }
 
 }  // namespace

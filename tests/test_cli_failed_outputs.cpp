@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -49,18 +50,26 @@ TEST(CliFailedOutputs, AFullDisk) {
       words.insert(words.end(), {other, other == option ? "/dev/full" : other.substr(2)});
     const std::string message = failure(words, folder);
     EXPECT_TRUE(has(message, "/dev/full") && has(message, "free some space")) << message;
-    for (const std::string& name : names_in(folder.path)) {  // what was finished before is whole
-      EXPECT_TRUE(name == "state" || name == "series") << name;
-      EXPECT_EQ(read_table(folder / name).size(), name == "state" ? 660u : 5u);
+    const Words names = names_in(folder.path);  // the others are whole
+    EXPECT_EQ(names.size(), 2u);
+    for (const std::string& name : names) {
+      if (name == "summary") {
+        EXPECT_EQ(nlohmann::json::parse(read_file(folder / name)).at("steps"), 5);
+      } else {
+        EXPECT_EQ(read_table(folder / name).size(), name == "state" ? 660u : 5u) << name;
+      }
     }
   }
 }
 
-TEST(CliFailedOutputs, AnOlderFileStaysAsItWas) {
+TEST(CliFailedOutputs, AnOlderFileStaysAsItWasOrIsReplacedByAWholeOne) {
   const TemporaryFolder folder;
   write_file(folder / "state.csv", "old");
-  failure({"--state", "state.csv", "--series", "/dev/full"}, folder);
+  failure({"--state", "state.csv", "--frames", "state.csv/frames"}, folder);  // before the run
   EXPECT_EQ(read_file(folder / "state.csv"), "old");
+  EXPECT_EQ(names_in(folder.path), Words{"state.csv"});
+  failure({"--state", "state.csv", "--series", "/dev/full"}, folder);  // after it
+  EXPECT_EQ(read_table(folder / "state.csv").size(), 660u);
   EXPECT_EQ(names_in(folder.path), Words{"state.csv"});
 }
 

@@ -1,10 +1,13 @@
 // `--video` of a run and of a recording: length, size and rate as ffprobe sees them, and nothing else when it
 // fails.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
+#include <fstream>
 #include <thread>
 
 #include "tests/support/running_program.hpp"
@@ -66,11 +69,59 @@ TEST(CliVideo, AnInterruptedRunLeavesAFilmOfWhatThereWas) {
   const std::string film = folder / "film.mp4";
   RunningProgram program(
       {"run", "leaking_dam", "--backend", "cpu", "--time", "1e4", "--quiet", "--video", film});
-  std::this_thread::sleep_for(std::chrono::seconds(2));
+  while (program.running() && std::filesystem::is_empty(folder.path))  // then it listens to signals
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
   program.send(SIGINT);
   const ProgramResult result = program.wait();
   EXPECT_EQ(result.code, 0) << result.err;
   EXPECT_TRUE(probe(film).starts_with("h264,200,900,25/1,")) << probe(film);
+}
+
+TEST(CliVideo, ASecondCtrlCDoesNotWaitForAnFfmpegThatHangs) {
+  const TemporaryFolder folder;
+  {
+    std::ofstream script(folder / "ffmpeg");
+    script << "#!/bin/sh\nsleep 1000\n";
+  }
+  std::filesystem::permissions(folder / "ffmpeg", std::filesystem::perms::owner_all);
+  RunningProgram program(
+      {"run", "leaking_dam", "--backend", "cpu", "--time", "1e4", "--quiet", "--video", folder / "film.mp4"},
+      {.environment = {fmt::format("PATH={}:/usr/bin:/bin", folder.path.string())}});
+  const auto temporary = [&] {
+    return std::ranges::any_of(std::filesystem::directory_iterator(folder.path), [](const auto& entry) {
+      return entry.path().filename().string().starts_with(".sluice");
+    });
+  };
+  while (program.running() && !temporary()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  std::this_thread::sleep_for(std::chrono::milliseconds(500));  // it waits for ffmpeg by now
+  program.send(SIGINT);
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  EXPECT_TRUE(program.running());
+  program.send(SIGINT);
+  EXPECT_EQ(program.wait().code, 128 + SIGINT);
+  EXPECT_FALSE(std::filesystem::exists(folder / "film.mp4"));
+}
+
+/// Rates and sizes with which ffmpeg, left to itself, chooses another rate.
+TEST(CliVideo, HighRatesKeepEveryPicture) {
+  const TemporaryFolder folder;
+  const std::string film = folder / "film.mp4";
+  for (const auto& [fps, rate] : {std::pair{"250", "250/1"}, {"241", "241/1"}, {"121", "121/1"}}) {
+    ASSERT_EQ(run_program({"run", "breaking_dam", "--time", "2", "--set", "time.dt=0.004", "--fps", fps,
+                           "--size", "800x480", "--quiet", "--video", film})
+                  .code,
+              0);
+    const std::string found = probe(film), frames = std::to_string(2 * std::stoi(fps) + 1);
+    EXPECT_TRUE(found.starts_with(fmt::format("h264,800,480,{},", rate))) << found;
+    EXPECT_TRUE(found.ends_with(fmt::format(",{}\n", frames))) << found;
+  }
+}
+
+TEST(CliVideo, SpeedWithoutAFilmIsWarnedOf) {
+  const ProgramResult result = run_program({"run", "inclined_plane", "--steps", "1", "--speed", "2"});
+  EXPECT_EQ(result.code, 0);
+  EXPECT_NE(result.err.find("--speed has no effect without --video"), std::string::npos) << result.err;
 }
 
 }  // namespace

@@ -107,7 +107,7 @@ TEST(CliClashes, OneFileForTwoOutputsIsRefused) {
   const ProgramResult result = run_program({"run", "breaking_dam", "--state", file, "--series", file});
   EXPECT_EQ(result.code, 2);
   EXPECT_EQ(result.err.substr(result.err.find("sluice: --")),
-            "sluice: --series: found " + file + ", which is --state too, expected a file of its own\n");
+            "sluice: --series: found " + file + ", which is --state too, expected a place of its own\n");
   EXPECT_FALSE(std::filesystem::exists(file));
 }
 

@@ -124,7 +124,7 @@ TEST(Play, GoesToTheNextAndThePreviousScene) {
   played.wait_for("sluice: breaking_dam, dt 0.04\n");
   played.press({"p"});
   played.wait_for("sluice: wcsph_box, dt 0.002\n");
-  EXPECT_NE(played.geometry().find("800x605"), std::string::npos) << played.geometry();
+  played.expect_size(800, 605);
   played.press({"bracketleft"});
   played.wait_for("sluice: spacing 0.0625, dt 0.0025, 768 particles\n");
   played.expect_title("Block of water in a box – WCSPH – Sluice");
@@ -167,6 +167,50 @@ TEST(Play, TheWindowMayHaveAnySize) {
   EXPECT_EQ(played.quit().code, 0);
 }
 
+TEST(Play, StartingAgainKeepsWhatWasChosen) {
+  Played played({"breaking_dam", "--steps", "0"});
+  played.press({"minus", "minus", "r"});
+  played.wait_for("sluice: from the start, dt 0.0256\n");
+  played.press({"bracketright"});
+  played.wait_for("sluice: spacing 6.4, dt 0.02048, ");
+  played.press({"plus", "r", "plus", "r", "bracketleft"});
+  played.wait_for("sluice: from the start, dt 0.032\n");
+  played.wait_for("sluice: spacing 8, dt 0.04, ");
+  EXPECT_EQ(played.quit().code, 0);
+}
+
+TEST(Play, WhatTheMachineHasNoRoomForIsRefused) {
+  const ProgramResult result = run_program({"play", "breaking_dam", "--set", "particles.spacing=0.001"});
+  EXPECT_EQ(result.code, 2);
+  EXPECT_NE(result.err.find("particles.spacing"), std::string::npos) << result.err;
+}
+
+TEST(Play, AFileThatWasBrokenMeanwhileIsToldAndTheRunKept) {
+  const TemporaryFolder folder;
+  const std::string scene = folder / "a.toml",
+                    text = read_file(std::string(SLUICE_SOURCE_DIR) + "/scenes/breaking_dam.toml");
+  { std::ofstream(scene) << text; }
+  Played played({scene, "--steps", "0"});
+  played.press({"Right", "Right"});
+  { std::ofstream(scene) << text << "broken"; }
+  played.press({"r"});
+  played.wait_for("a.toml:");
+  EXPECT_EQ(played.screenshot().name, "a_000002.png");
+  { std::ofstream(scene) << text; }
+  played.press({"r"});
+  played.wait_for("from the start");
+  EXPECT_EQ(played.screenshot().name, "a_000000.png");
+  EXPECT_EQ(played.quit().code, 0);
+}
+
+TEST(Play, AScreenshotThatCannotBeWrittenIsTold) {
+  Played played({"breaking_dam", "--steps", "0"});
+  std::filesystem::remove(played.folder.path);  // with nowhere to write to
+  played.press({"s"});
+  played.wait_for("cannot write breaking_dam_000000.png");
+  EXPECT_EQ(played.quit().code, 0);
+}
+
 TEST(Play, ATimeStepStaysWithinReason) {
   Played played({"breaking_dam", "--steps", "0"});
   for (int k = 0; k < 31; ++k) played.press({"minus"});
@@ -196,6 +240,8 @@ TEST(Play, AnInvalidRunIsPausedAndSaysWhy) {
   played.wait_for("the run is invalid");
   played.press({"Right"});
   EXPECT_EQ(played.screenshot().name.substr(0, 10), "wcsph_box_");
+  played.press({"r"});
+  played.wait_for("sluice: invalid run: ");
   played.press({"minus"});
   played.wait_for("from the start, dt 0.0036");
   played.expect_title("Block of water in a box – WCSPH – Sluice");
@@ -216,11 +262,38 @@ TEST(Play, SaysWhatASceneLacks) {
 TEST(Play, WithoutASceneTheScenesAreShownToChooseFrom) {
   Played played({});
   played.expect_title("Sluice – choose a scene by its number or with the mouse");
+  played.press({"s"});  // nothing to save here, and nothing later either
+  for (const uint32_t size : {8u, 50u, 2000u, 900u}) played.resize(size, size);
   played.press({"5"});
   played.wait_for("backend: ");
   played.press({"space"});
   played.wait_for("paused at step ");
   played.expect_title("Leaking dam – IISPH (paused) – Sluice");
+  EXPECT_TRUE(std::filesystem::is_empty(played.folder.path));
+  EXPECT_EQ(played.quit().code, 0);
+}
+
+TEST(Play, AChangeThatDoesNotFitASceneLeadsBackToTheList) {
+  Played played({"--set", "pressure.method=ssph", "--set", "pressure.ssph={dt=0.1}"});
+  played.press({"1"});
+  played.wait_for("pressure.ssph.stiffness");
+  played.expect_title("Sluice – choose a scene by its number or with the mouse");
+  EXPECT_EQ(played.quit().code, 0);
+}
+
+TEST(Play, ATimeStepBeyondALimitIsWarnedOf) {
+  Played played({"breaking_dam", "--steps", "0", "--set", "time.dt=0.15"});
+  played.press({"plus"});
+  EXPECT_NE(played.wait_for("sluice: dt 0.1875; ").find("above the limit of an explicit viscosity"),
+            std::string::npos);
+  EXPECT_EQ(played.quit().code, 0);
+}
+
+TEST(Play, ASceneIsChosenWithTheMouseToo) {
+  Played played({});
+  played.expect_title("Sluice – choose a scene by its number or with the mouse");
+  played.xdotool("mousemove 900 300 click 1");  // the last of the second row
+  played.expect_title("Resting fluid – IISPH – Sluice");
   EXPECT_EQ(played.quit().code, 0);
 }
 

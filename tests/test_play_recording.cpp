@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <chrono>
-
 #include "tests/support/played.hpp"
 
 namespace sluice::test {
@@ -47,7 +45,9 @@ TEST_F(PlayRecording, EveryFrameIsThePictureOfTheRun) {
   EXPECT_EQ(played.screenshot().name, "breaking_dam_000020_2.png");
   played.press({"r"});
   played.wait_for("from the start");
-  EXPECT_EQ(played.screenshot().name, "breaking_dam_000000_2.png");
+  played.wait_for("the end");                      // it was no pause of the user's
+  played.xdotool("key Left Left Left Left Left");  // all at once
+  EXPECT_EQ(played.screenshot().name, name(15));
   EXPECT_EQ(played.quit().code, 0);
 }
 
@@ -61,26 +61,15 @@ TEST_F(PlayRecording, RunsBackwardsAndAtAnySpeed) {
   played.wait_for("speed -0.002\n");
   played.wait_for("speed -0.004\n");
   played.press({"space"});
-  EXPECT_EQ(played.wait_for("goes on at frame "), "20");
+  EXPECT_EQ(played.wait_for("goes on at frame "), "21");
   for (int k = 0; k < 12; ++k) played.press({"Up"});
   played.wait_for("the start");
   EXPECT_EQ(played.screenshot().name, "breaking_dam_000000_2.png");
-  played.press({"b", "space"});
+  played.press({"b"});
   played.wait_for("forwards");
   played.wait_for("the end");
   played.press({"Down"});
   played.wait_for("speed ");
-  EXPECT_EQ(played.quit().code, 0);
-}
-
-TEST_F(PlayRecording, ItsSpeedIsThatOfTheClock) {
-  Played played({recording, "--overlay", "none", "--speed", "0.8"});  // 0.8 s of simulated time
-  played.press({"r"});
-  played.wait_for("from the start");
-  const auto begin = std::chrono::steady_clock::now();
-  played.wait_for("the end");
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  EXPECT_GT(seconds, 0.8);  // later on a busy machine, never much earlier
   EXPECT_EQ(played.quit().code, 0);
 }
 
@@ -89,10 +78,14 @@ TEST_F(PlayRecording, TheBarAtTheBottomScrubs) {
   played.xdotool("mousemove 200 585 click 1");
   EXPECT_EQ(played.screenshot().name, name(10));
   played.xdotool("mousemove 200 585 mousedown 1 mousemove 390 585");
-  played.xdotool("mouseup 1");
+  played.press({"o"});  // takes the bar away
+  played.xdotool("mousemove 30 585");
   EXPECT_EQ(played.screenshot().name, name(20));
-  played.xdotool("mousemove 200 300 mousedown 1 mousemove 100 585 mouseup 1");  // moves the picture
+  played.press({"o", "o"});
+  played.xdotool("mouseup 1");
   EXPECT_EQ(played.screenshot().name, "breaking_dam_000020_2.png");
+  played.xdotool("mousemove 200 300 mousedown 1 mousemove 100 585 mouseup 1");  // moves the picture
+  EXPECT_EQ(played.screenshot().name, "breaking_dam_000020_3.png");
   EXPECT_EQ(played.quit().code, 0);
 }
 

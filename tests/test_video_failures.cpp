@@ -158,5 +158,17 @@ TEST_F(FailedVideo, AFullDiskIsReportedAndLeavesNoFile) {
   }
 }
 
+TEST_F(FailedVideo, WhereNobodyCanAskHowFfmpegEndedItCountsAsFailed) {
+  std::signal(SIGCHLD, SIG_IGN);
+  const std::string message = message_of([&] {
+    VideoFile video(folder / "run.mp4", {64, 64}, 25);
+    video.write(quarters({64, 64}, {red, green, blue, grey}));
+    video.finish();
+  });
+  std::signal(SIGCHLD, SIG_DFL);
+  EXPECT_TRUE(contains(message, "ffmpeg gave up with code 255")) << message;
+  EXPECT_EQ(entries(folder.path), 0u);
+}
+
 }  // namespace
 }  // namespace sluice::test

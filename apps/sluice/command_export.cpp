@@ -1,9 +1,12 @@
 // `sluice export`: pictures, a film or files for ParaView from a recording, without simulating again.
 #include <fmt/format.h>
 
+#include "apps/sluice/clashes.hpp"
 #include "apps/sluice/commands.hpp"
 #include "apps/sluice/frames.hpp"
 #include "apps/sluice/interrupt.hpp"
+#include "apps/sluice/progress.hpp"
+#include "core/attempts.hpp"
 #include "core/error.hpp"
 #include "gpu/context.hpp"
 #include "media/recording.hpp"
@@ -14,24 +17,31 @@ int export_command(const ExportOptions& options) {
   if (!options.frames.frames && !options.frames.video && !options.frames.vtk) {
     throw InputError("export: found nothing to write, expected --frames DIR, --video FILE.mp4 or --vtk DIR");
   }
+  refuse_clashes({{"the recording", options.recording},
+                  {"--video", options.frames.video},
+                  {"--frames", options.frames.frames},
+                  {"--vtk", options.frames.vtk}});
   const Recording recording(options.recording, options.overrides);
   std::optional<gpu::Context> context;
-  FrameOutputs outputs(options.frames, recording.scene(), recording.samples(), recording.precision(),
-                       recording.device(), [&]() -> const gpu::Context& {
+  FrameOutputs outputs(options.frames, recording.scene(), recording.samples(), recording.precision(), "",
+                       [&]() -> const gpu::Context& {
                          if (!context)
                            context.emplace(options.machine.gl_device,
                                            gpu::ShaderLibrary(options.machine.shader_dir));
                          return *context;
                        });
   note_interrupts();
+  Progress progress(recording.frames(), recording.moment(recording.frames() - 1).report.time, "frames",
+                    options.quiet);
   size_t done = 0;
   try {
     for (; done < recording.frames() && !interrupted(); ++done) {
       const Moment moment = recording.moment(done);
       outputs.add(moment.report, moment.seconds_per_step, {[&] { return moment.state; }, nullptr});
+      progress.show(done + 1, moment.report);
     }
   } catch (const Error&) {
-    outputs.save();
+    Attempts()([&] { outputs.finish(); });  // what there is is kept; the first failure is the news
     throw;
   }
   outputs.finish();

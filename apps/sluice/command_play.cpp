@@ -13,8 +13,6 @@
 namespace sluice {
 namespace {
 
-constexpr glm::uvec2 menu_size{960, 720};
-
 /// What belongs to a run is refused for a recording, which is one already.
 void refuse_options_of_runs(const PlayOptions& options) {
   const bool changes_scene = std::ranges::any_of(
@@ -44,12 +42,21 @@ int play_command(const PlayOptions& options) {
   if (!options.source.empty()) {  // a scene that can't be read needs no window to say so
     const Scene scene = load_choice({options.source, options.overrides, std::nullopt});
     size = scene.image_size;
-    if (options.machine.backend == BackendChoice::gpu) gpu::suit_software_threads(sample(scene).fluid.size());
+    if (options.machine.backend == BackendChoice::gpu)
+      gpu::suit_software_threads(static_cast<uint64_t>(sample_bounds(scene).fluid));
   }
   Viewer viewer(size, options.overlay, options.machine.shader_dir);
-  const std::optional<std::string> scene =
-      options.source.empty() ? choose_scene(viewer) : std::optional(options.source);
-  if (scene) ScenePlayer(options, *scene, viewer).run();
+  if (!options.source.empty()) {
+    ScenePlayer(options, options.source, viewer).run();
+    return 0;
+  }
+  while (const std::optional<std::string> scene = choose_scene(viewer)) {
+    try {
+      ScenePlayer(options, *scene, viewer).run();
+    } catch (const InputError& error) {  // what --set asks for may fit another scene
+      viewer.say(error.what());
+    }
+  }
   return 0;
 }
 

@@ -5,6 +5,7 @@
 
 #include "apps/sluice/overlay_text.hpp"
 #include "apps/sluice/warnings.hpp"
+#include "core/attempts.hpp"
 #include "core/error.hpp"
 #include "core/frame.hpp"
 #include "core/text.hpp"
@@ -71,39 +72,29 @@ const Snapshot& FrameOutputs::state(const StepReport& report, const StateSource&
   return state_;
 }
 
+// The recording first: whatever else fails, the run can be had from it.
 void FrameOutputs::add(const StepReport& report, double seconds_per_step, const StateSource& source) {
+  if (recording_) recording_->add(report, seconds_per_step, state(report, source));
+  if (vtk_) vtk_->add(report.time, state(report, source));
   if (pictures_) pictures_->write(picture(report, seconds_per_step, source));
   if (video_) video_->write(picture(report, seconds_per_step, source));
-  if (vtk_) vtk_->add(report.time, state(report, source));
-  if (recording_) recording_->add({report, seconds_per_step, state(report, source)});
 }
 
 void FrameOutputs::finish() {
-  if (recording_) recording_->commit();
-  if (vtk_) vtk_->finish();
-  if (video_) video_->finish();
-  if (pictures_) pictures_->finish();
-}
-
-void FrameOutputs::save() noexcept {
-  const auto attempt = [](auto&& action) {
-    try {
-      action();
-    } catch (const Error&) {  // the other reason is the news
-    }
-  };
+  Attempts attempt;
   if (recording_) attempt([&] { recording_->commit(); });
   if (vtk_) attempt([&] { vtk_->finish(); });
   if (video_) attempt([&] { video_->finish(); });
   if (pictures_) attempt([&] { pictures_->finish(); });
+  attempt.end();
 }
 
 void FrameOutputs::tell(bool quiet) const {
   if (quiet) return;
   const auto older = [&](uint64_t count, const char* what, const std::filesystem::path& folder) {
     if (count == 0) return;
-    warn(quiet, fmt::format("{} more {} in {} are from an earlier run; delete them before you go on", count,
-                            what, folder.string()));
+    warn(quiet, fmt::format("{} more {} in {} are from an earlier run; delete them before you use the folder",
+                            count, what, folder.string()));
   };
   if (pictures_) {
     fmt::print("{} pictures in {}\n", pictures_->count(), options_.frames->string());
@@ -120,9 +111,10 @@ void FrameOutputs::tell(bool quiet) const {
   }
   if (recording_) {
     std::error_code error;
-    const auto bytes = std::filesystem::file_size(*options_.record, error);
-    fmt::print("{} frames, {}, in {}\n", recording_->frames(),
-               bytes_text(error ? 0 : static_cast<double>(bytes)), options_.record->string());
+    const auto bytes = std::filesystem::file_size(*options_.record, error);  // a pipe has none
+    fmt::print("{} frames{} in {}\n", recording_->frames(),
+               error ? "" : fmt::format(", {},", bytes_text(static_cast<double>(bytes))),
+               options_.record->string());
   }
 }
 

@@ -50,10 +50,9 @@ class FrameOutputs {
   /// The next frame. One of the same step as the last is written again, but not drawn again.
   void add(const StepReport& report, double seconds_per_step, const StateSource& source);
 
-  /// Returns when everything is on disk and has its name.
+  /// Returns when everything is on disk and has its name. Where one can't be, the others still are, and then
+  /// the failure is thrown.
   void finish();
-  /// finish() for a run that fails for another reason: what can be saved is, and no failure is thrown.
-  void save() noexcept;
 
   /// What was written, for people, and a warning where files of an earlier run are in the way.
   void tell(bool quiet) const;

@@ -7,7 +7,11 @@ namespace sluice {
 namespace {
 
 volatile std::sig_atomic_t stop_requested = 0;
-extern "C" void request_stop(int) { stop_requested = 1; }
+// A second one ends the program at once: what it waits for may never come.
+extern "C" void request_stop(int signal) {
+  stop_requested = 1;
+  std::signal(signal, SIG_DFL);
+}
 
 }  // namespace
 

@@ -8,6 +8,10 @@
 
 namespace sluice {
 
+double memory_factor(const MachineOptions& options) {
+  return options.backend == BackendChoice::gpu ? 1.5 : 1;
+}
+
 Machine::Machine(const MachineOptions& options, uint64_t particles, const gpu::Context* shown)
     : options_(options), shaders_(options.shader_dir), context_(shown) {
   choose(particles);
@@ -21,7 +25,7 @@ void Machine::choose(uint64_t particles) {
   }
   if (options_.backend == BackendChoice::cpu) return use_cpu("as asked for");
   if (options_.backend == BackendChoice::gpu) {
-    gpu::suit_software_threads(particles);
+    if (context_ == nullptr) gpu::suit_software_threads(particles);
     context();
     return use_gpu("as asked for");
   }

@@ -12,6 +12,9 @@
 
 namespace sluice {
 
+/// How many times its fields' memory a run may take: a software OpenGL copies some.
+double memory_factor(const MachineOptions& options);
+
 class Machine {
  public:
   /// For a run of `particles` fluid particles. InputError for a choice that contradicts itself,

@@ -1,4 +1,4 @@
-// Options of `sluice run`. Those of later versions are known by name and refused.
+// What the subcommands understand. Options of later versions are known by name and refused.
 #include "apps/sluice/options.hpp"
 
 #include <fmt/format.h>
@@ -8,6 +8,7 @@
 #include <cmath>
 #include <utility>
 
+#include "apps/sluice/pace.hpp"
 #include "core/error.hpp"
 #include "cpu/backend.hpp"
 
@@ -139,9 +140,9 @@ void add_picture_options(CLI::App& app, std::vector<std::string>& overrides, Ove
 
 void add_speed(CLI::App& app, double& speed, const std::string& help) {
   add_number<double>(
-      app, "--speed", "a number from 0.001 to 1000",
-      [](double value) { return value >= 0.001 && value <= 1000; }, [&](double value) { speed = value; },
-      help)
+      app, "--speed", fmt::format("a number from {:g} to {:g}", least_speed, most_speed),
+      [](double value) { return value >= least_speed && value <= most_speed; },
+      [&](double value) { speed = value; }, help)
       ->type_name("F")
       ->group("Pictures");
 }

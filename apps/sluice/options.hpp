@@ -1,4 +1,4 @@
-// The command line: `sluice run` and its options as a value.
+// The command line: the options of each subcommand as a value.
 #pragma once
 
 #include <cstdint>
@@ -32,6 +32,9 @@ struct FrameOptions {
   std::optional<std::filesystem::path> frames, video, vtk, record;
   OverlayChoice overlay = OverlayChoice::facts;
   double speed = 1;  ///< simulated seconds per second of a film
+
+  bool any() const { return frames || video || vtk || record; }
+  bool pictures() const { return frames || video; }
 };
 
 struct RunOptions {

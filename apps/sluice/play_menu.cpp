@@ -13,8 +13,6 @@
 namespace sluice {
 namespace {
 
-constexpr glm::uvec2 menu_size{960, 720};
-
 /// A scene at its start.
 struct Entry {
   Scene scene;
@@ -58,8 +56,9 @@ class Grid {
     const auto edge = [](uint32_t whole, uint32_t part, uint32_t parts) {
       return static_cast<float>(whole * part / parts);
     };
-    return {edge(window_.x, column, in_row), edge(window_.y, row, rows),
-            edge(window_.x, column + 1, in_row) - line, edge(window_.y, row + 1, rows) - line};
+    const float left = edge(window_.x, column, in_row), top = edge(window_.y, row, rows);
+    return {left, top, std::max(left, edge(window_.x, column + 1, in_row) - line),
+            std::max(top, edge(window_.y, row + 1, rows) - line)};
   }
 
   std::optional<size_t> at(glm::vec2 place) const {
@@ -91,9 +90,8 @@ void show(Viewer& viewer, std::vector<Entry>& entries) {
       state.v[i] =
           start_velocity(entry.scene.fluid[entry.samples.fluid_shape[i]], entry.scene.spacing, state.x[i]);
     const gpu::Box cell = grid.cell(k);
-    const glm::uvec2 corner(cell.left, cell.top);
-    entry.painter->renderer().look(
-        glm::max(glm::uvec2(cell.right, cell.bottom) - corner, gpu::smallest_picture), {});
+    const glm::uvec2 corner(cell.left, cell.top), far(cell.right, cell.bottom);
+    entry.painter->renderer().look(glm::max(far - corner, gpu::smallest_picture), {});
     entry.painter->paint(std::move(labels), entry.scene.dt, state);
     entry.painter->renderer().show(corner, window.y);
   }

@@ -8,6 +8,8 @@
 
 namespace sluice {
 
+constexpr glm::uvec2 menu_size{960, 720};  ///< of its window, in pixels
+
 /// Shows every shipped scene at its start, with a number. The name of the one that was chosen by its number
 /// or with the mouse, or nothing when the window was closed. EnvironmentError when there are no shipped
 /// scenes.

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "apps/sluice/overlay_text.hpp"
@@ -12,7 +11,7 @@
 namespace sluice {
 namespace {
 
-constexpr double speed_per_key = 2, least_speed = 1.0 / 1024, most_speed = 1024;
+constexpr double speed_per_key = 2;
 
 const std::vector<std::string> help = {
     "space  pause, go on",
@@ -36,63 +35,62 @@ RecordingPlayer::RecordingPlayer(Recording recording, double speed, Viewer& view
     : recording_(std::move(recording)),
       viewer_(viewer),
       painter_(viewer.context(), recording_.scene(), recording_.samples(), recording_.scene().image_size),
-      moment_(recording_.moment(0)),
-      speed_(speed) {
+      head_(last(), recording_.scene().fps, speed),
+      moment_(recording_.moment(0)) {
   viewer_.begin(recording_.scene().image_size, recording_.scene().colour, help);
 }
 
-/// Shows this frame next, and goes on from there.
-void RecordingPlayer::go_to(double frame) {
-  position_ = std::clamp(frame, 0.0, static_cast<double>(last()));
-  since_ = Viewer::Clock::now();
-}
-
 void RecordingPlayer::change_speed(double factor) {
-  speed_ = std::copysign(std::clamp(std::abs(speed_) * factor, least_speed, most_speed), speed_);
-  viewer_.say(fmt::format("speed {:g}", speed_));
+  head_.set_speed(changed_speed(head_.speed(), factor));
+  viewer_.say(fmt::format("speed {:g}", head_.speed()));
 }
 
 void RecordingPlayer::scrub(double x) {
-  const gpu::Box bar = *painter_.renderer().panels().timeline;
-  const double place = (x - static_cast<double>(bar.left)) / static_cast<double>(bar.right - bar.left);
-  go_to(std::round(place * static_cast<double>(last())));
+  const auto bar = painter_.renderer().panels().timeline;
+  if (!bar) return;
+  const double place = (x - static_cast<double>(bar->left)) / static_cast<double>(bar->right - bar->left);
+  paused_ = true;
+  head_.go_to(std::round(place * static_cast<double>(last())));
+}
+
+/// From where it is, or, when that is the end, from the start.
+void RecordingPlayer::go_on() {
+  if (head_.at_end()) head_.rewind();
+  paused_ = false;
 }
 
 void RecordingPlayer::answer(const WindowEvent& event) {
   if (event.kind == WindowEvent::character) return answer_character(event.typed);
-  // The viewer leaves presses anywhere and drags of the bar.
-  const auto& bar = painter_.renderer().panels().timeline;
-  const bool on_bar = bar && event.at.y >= static_cast<double>(bar->top);
-  if (event.kind == WindowEvent::drag || (event.kind == WindowEvent::press && on_bar)) {
-    paused_ = true;
-    return scrub(event.at.x);
-  }
+  // The viewer passes on presses and drags of the bar only.
+  if (event.kind == WindowEvent::press || event.kind == WindowEvent::drag) return scrub(event.at.x);
   if (event.kind != WindowEvent::key) return;
-  const auto single = [&](double frames) {
+  if (event.pressed == Key::right || event.pressed == Key::left) {
     paused_ = true;
-    go_to(static_cast<double>(frame_) + frames);
-  };
-  switch (event.pressed) {
-    case Key::right: return single(1);
-    case Key::left: return single(-1);
-    case Key::home: return go_to(0);
-    case Key::end: return go_to(static_cast<double>(last()));
-    case Key::up: return change_speed(speed_per_key);
-    case Key::down: return change_speed(1 / speed_per_key);
-    default: return;
+    head_.move(event.pressed == Key::right ? 1 : -1);
   }
+  if (event.pressed == Key::home) head_.go_to(0);
+  if (event.pressed == Key::end) head_.go_to(static_cast<double>(last()));
+  if (event.pressed == Key::up) change_speed(speed_per_key);
+  if (event.pressed == Key::down) change_speed(1 / speed_per_key);
 }
 
 void RecordingPlayer::answer_character(char32_t typed) {
   switch (typed) {
-    case ' ': {
-      paused_ = !paused_;
-      const bool at_end = frame_ == (speed_ > 0 ? last() : 0);
-      if (!paused_) go_to(!at_end ? position_ : speed_ > 0 ? 0 : static_cast<double>(last()));
-      return viewer_.say(fmt::format("{} at frame {}", paused_ ? "paused" : "goes on", frame_));
-    }
-    case 'b': speed_ = -speed_; return viewer_.say(speed_ > 0 ? "forwards" : "backwards");
-    case 'r': go_to(0); return viewer_.say("from the start");
+    case ' ':
+      if (paused_) {
+        go_on();
+      } else {
+        paused_ = true;
+      }
+      return viewer_.say(fmt::format("{} at frame {}", paused_ ? "paused" : "goes on", head_.frame() + 1));
+    case 'b':
+      head_.set_speed(-head_.speed());
+      paused_ = false;
+      return viewer_.say(head_.speed() > 0 ? "forwards" : "backwards");
+    case 'r':
+      if (head_.at_end()) paused_ = false;  // a pause that nobody asked for
+      head_.go_to(0);
+      return viewer_.say("from the start");
     case '1':
     case '2':
     case '3':
@@ -107,21 +105,16 @@ void RecordingPlayer::answer_character(char32_t typed) {
 }
 
 void RecordingPlayer::advance() {
-  const auto now = Viewer::Clock::now();
+  const auto now = Clock::now();
   const double seconds = std::chrono::duration<double>(now - since_).count();
   since_ = now;
-  if (!paused_) {
-    const double end = static_cast<double>(last());
-    position_ = std::clamp(position_ + seconds * speed_ * recording_.scene().fps, 0.0, end);
-    if (position_ == (speed_ > 0 ? end : 0)) {
-      paused_ = true;
-      viewer_.say(speed_ > 0 ? "the end; space plays it again" : "the start");
-    }
+  if (!paused_ && head_.advance(seconds)) {
+    paused_ = true;
+    viewer_.say(head_.speed() > 0 ? "the end; space plays it again" : "the start; space plays it again");
   }
-  const auto frame = static_cast<size_t>(position_ + 1e-6);
-  if (frame == frame_) return;
-  frame_ = frame;
-  moment_ = recording_.moment(frame);
+  if (head_.frame() == frame_) return;
+  frame_ = head_.frame();
+  moment_ = recording_.moment(frame_);
 }
 
 void RecordingPlayer::show() {
@@ -134,8 +127,8 @@ void RecordingPlayer::show() {
   if (viewer_.overlay() == OverlayChoice::all) {
     labels.text.push_back(
         fmt::format("compression {:.2g} %", 100 * moment_.report.diagnostics.mean_compression));
-    labels.text.push_back(fmt::format("frame {} of {}, {}", frame_, last(),
-                                      paused_ ? "paused" : fmt::format("speed × {:g}", speed_)));
+    labels.text.push_back(fmt::format("frame {} of {}, {}", frame_ + 1, recording_.frames(),
+                                      paused_ ? "paused" : fmt::format("speed × {:g}", head_.speed())));
     labels.played = last() == 0 ? 1 : static_cast<double>(frame_) / static_cast<double>(last());
   }
   const auto name = fmt::format("{}_{:06}", scene.name, moment_.report.step);
@@ -145,7 +138,7 @@ void RecordingPlayer::show() {
 
 void RecordingPlayer::run() {
   show();
-  since_ = Viewer::Clock::now();
+  since_ = Clock::now();
   while (!viewer_.over()) {
     for (const WindowEvent& event : viewer_.turn(paused_ && !viewer_.changed())) answer(event);
     const size_t before = frame_;

@@ -19,8 +19,8 @@ class RecordingPlayer {
   void answer(const WindowEvent& event);
   void answer_character(char32_t typed);
   void scrub(double x);
-  void go_to(double frame);
   void change_speed(double factor);
+  void go_on();
   void advance();
   void show();
   size_t last() const { return recording_.frames() - 1; }
@@ -28,12 +28,11 @@ class RecordingPlayer {
   Recording recording_;
   Viewer& viewer_;
   gpu::Painter painter_;
-  Moment moment_;  // the frame that is shown
-  size_t frame_ = 0;
-  double position_ = 0;  // in frames
-  double speed_;         // simulated seconds per second, below 0 backwards
+  Playhead head_;
+  size_t frame_ = 0;  // that is shown
+  Moment moment_;     // of it
   bool paused_ = false;
-  Viewer::Clock::time_point since_ = Viewer::Clock::now();
+  Clock::time_point since_ = Clock::now();
 };
 
 }  // namespace sluice

@@ -18,8 +18,7 @@ namespace sluice {
 namespace {
 
 constexpr double dt_per_key = 1.25, most_dt_factor = 1000;
-constexpr double speed_per_key = 2, least_speed = 1.0 / 1024, most_speed = 1024;
-constexpr double largest_viscous_number = 0.4;  // nu dt/h^2, a little below what an explicit viscosity bears
+constexpr double speed_per_key = 2;
 
 const std::vector<std::string> help = {
     "space  pause, go on",
@@ -38,75 +37,7 @@ const std::vector<std::string> help = {
     "q  quit",
 };
 
-/// Lattices that are counted instead of measured keep their size.
-void scale_counts(const nlohmann::ordered_json& settings, double refinement,
-                  std::vector<std::string>& overrides) {
-  for (const char* section : {"fluid", "boundary"}) {
-    if (!settings.contains(section) || !settings[section].contains("rect")) continue;
-    const auto& rects = settings[section]["rect"];
-    for (size_t k = 0; k < rects.size(); ++k) {
-      if (!rects[k].contains("count")) continue;
-      const auto scaled = [&](size_t axis) {
-        return std::max<int64_t>(1, std::llround(rects[k]["count"][axis].get<double>() / refinement));
-      };
-      overrides.push_back(fmt::format("{}.rect.{}.count=[{},{}]", section, k, scaled(0), scaled(1)));
-    }
-  }
-}
-
-std::string missing_table(PressureMethod method) {
-  return fmt::format("this scene has no [pressure.{}]; add that table with {} to its file to use {}",
-                     name_of(method), method == PressureMethod::ssph ? "a stiffness" : "a kappa",
-                     title_of(method));
-}
-
 }  // namespace
-
-Scene load_choice(const Choice& choice) {
-  std::vector<std::string> overrides = choice.overrides;
-  if (choice.method) overrides.push_back(fmt::format("pressure.method={}", name_of(*choice.method)));
-  Scene scene = load_scene(choice.scene, overrides);
-  if (choice.refinement == 1 && choice.dt_factor == 1) return scene;
-  const double spacing = scene.spacing * choice.refinement;
-  double dt = scene.dt * choice.refinement * choice.dt_factor;
-  if (scene.viscosity_model == ViscosityModel::laplacian && choice.dt_factor <= 1)
-    dt = std::min(dt, largest_viscous_number * spacing * spacing / scene.viscosity);
-  overrides.push_back(fmt::format("particles.spacing={:.17g}", spacing));
-  overrides.push_back(fmt::format("time.dt={:.17g}", dt));
-  if (choice.refinement != 1) scale_counts(scene.settings, choice.refinement, overrides);
-  return load_scene(choice.scene, overrides);
-}
-
-void Pace::begin(double time) {
-  time_ = time_measured_ = time;
-  since_ = measured_ = Clock::now();
-  factor_ = 0;
-}
-
-double Pace::target() const {
-  return time_ + speed_ * std::chrono::duration<double>(Clock::now() - since_).count();
-}
-
-void Pace::reached(double time, bool in_time) {
-  const Clock::time_point now = Clock::now();
-  if (!in_time) {
-    kept_up_ = false;
-    time_ = time;
-    since_ = now;
-  }
-  const double seconds = std::chrono::duration<double>(now - measured_).count();
-  if (seconds < 0.5 || time == time_measured_) return;
-  factor_ = std::exchange(kept_up_, true) ? speed_ : (time - time_measured_) / seconds;
-  time_measured_ = time;
-  measured_ = now;
-}
-
-void Pace::set_speed(double speed) {
-  time_ = target();
-  kept_up_ = false;
-  since_ = Clock::now();
-  speed_ = std::clamp(speed, least_speed, most_speed);
-}
 
 /// A scene while it is simulated.
 struct ScenePlayer::Show {
@@ -116,22 +47,15 @@ struct ScenePlayer::Show {
   std::optional<gpu::Painter> painter;
   RunStatistics statistics;
   StepReport report;
-  double seconds_per_step = 0;  // mean of about half a second
+  double seconds_per_step = 0;  // mean of about a quarter of a second
   double seconds = 0;           // of the steps since that was worked out
   uint64_t steps = 0;
   std::string failure;
 
-  explicit Show(Scene loaded) : scene(std::move(loaded)), samples(sample(scene)) {}
-
-  void start(Backend& backend, const gpu::Context& context) {
-    simulator.emplace(scene, samples, backend);
-    if (!painter) painter.emplace(context, scene, samples, scene.image_size);
-    statistics = {};
-    report = {};
-    report.dt = simulator->dt();
-    seconds_per_step = seconds = 0;
-    steps = 0;
-    failure.clear();
+  /// Refuses what the machine has no room for before it makes room.
+  Show(const Choice& choice, const MachineOptions& machine) : scene(load_choice(choice)) {
+    require_memory(scene, machine.precision, available_memory(), memory_factor(machine));
+    samples = sample(scene);
   }
 
   void count(double step_seconds) {
@@ -147,33 +71,43 @@ ScenePlayer::ScenePlayer(const PlayOptions& options, const std::string& scene, V
       viewer_(viewer),
       machine_(options.machine, 0, &viewer.context()),
       choice_{scene, options.overrides, std::nullopt},
-      pace_(options.speed) {
+      pace_(options.speed),
+      show_(std::make_unique<Show>(choice_, options.machine)) {
   fmt::print(stderr, "backend: {}\n", machine_.choice());
-  show_ = std::make_unique<Show>(load_choice(choice_));
-  require_memory(show_->scene, options_.machine.precision, available_memory());
-  restart();
+  set_up(*show_);
   viewer_.begin(show_->scene.image_size, show_->scene.colour, help);
   for (const std::string& limit : beyond_limits(show_->scene)) viewer_.say(limit);
 }
 
 ScenePlayer::~ScenePlayer() = default;
 
+/// From the start, on the backend, which forgets what it had.
+void ScenePlayer::set_up(Show& show) {
+  show.simulator.emplace(show.scene, show.samples, machine_.backend());
+  if (!show.painter) show.painter.emplace(viewer_.context(), show.scene, show.samples, show.scene.image_size);
+  show.report.dt = show.simulator->dt();
+  pace_.begin(0, Clock::now());
+}
+
 /// Sets up another scene; where that is not possible, returns why and keeps this one.
 std::string ScenePlayer::change(Choice choice) {
+  std::unique_ptr<Show> next;
   try {
-    auto next = std::make_unique<Show>(load_choice(choice));
-    require_memory(next->scene, options_.machine.precision, available_memory());
-    std::swap(show_, next);
-    try {
-      restart();
-    } catch (const Error&) {
-      std::swap(show_, next);
-      restart();  // the backend has forgotten its state
-      throw;
-    }
-  } catch (const Error& error) {
-    return error.what();
+    next = std::make_unique<Show>(choice, options_.machine);
+    set_up(*next);
+  } catch (const std::exception& error) {  // Error, or no memory
+    const bool backend_was_used = next != nullptr;
+    next.reset();
+    if (!backend_was_used) return error.what();
+    show_ = std::make_unique<Show>(choice_, options_.machine);
+    set_up(*show_);
+    return fmt::format("{}; this one starts again", error.what());
   }
+  // A pause that the user did not ask for is over.
+  if (!show_->failure.empty() || paused_by_stop_) paused_ = false;
+  paused_by_stop_ = false;
+  stop_awaited_ = true;
+  show_ = std::move(next);
   choice_ = std::move(choice);
   return {};
 }
@@ -190,21 +124,14 @@ bool ScenePlayer::change_and_say(Choice choice, const std::string& what) {
   return true;
 }
 
-void ScenePlayer::restart() {
-  show_->start(machine_.backend(), viewer_.context());
-  stop_reached_ = false;
-  pace_.begin(0);
-}
+void ScenePlayer::start_again() { change_and_say(choice_, "from the start"); }
 
 void ScenePlayer::choose_method(PressureMethod method) {
-  const Scene& scene = show_->scene;
-  if ((method == PressureMethod::ssph && !scene.ssph) || (method == PressureMethod::wcsph && !scene.wcsph))
-    return viewer_.say(missing_table(method));
-  Choice choice = choice_;
-  choice.method = method;
-  choice.dt_factor = 1;
-  std::erase_if(choice.overrides, [](const std::string& text) { return text.starts_with("time.dt="); });
-  change_and_say(std::move(choice), std::string(title_of(method)));
+  try {
+    change_and_say(with_method(choice_, method, show_->scene), std::string(title_of(method)));
+  } catch (const InputError& error) {
+    viewer_.say(error.what());
+  }
 }
 
 /// The first of a few spacings with which fluid and walls don't get into each other's way.
@@ -220,7 +147,7 @@ void ScenePlayer::refine(double factor) {
                             show_->simulator->dt(), show_->samples.fluid.size()));
     return;
   }
-  viewer_.say(problem);
+  viewer_.say(fmt::format("no {} particles: {}", factor > 1 ? "coarser" : "finer", problem));
 }
 
 void ScenePlayer::go_to_scene(int steps) {
@@ -239,19 +166,23 @@ void ScenePlayer::change_dt(double factor) {
   const double total = choice_.dt_factor * factor;
   if (total < 1 / most_dt_factor || total > most_dt_factor)
     return viewer_.say(fmt::format("dt stays {:g}", show_->simulator->dt()));
-  if (!show_->failure.empty()) {  // from the start, with the other step
+  if (!show_->failure.empty()) {
     Choice choice = choice_;
-    choice.dt_factor *= factor;
-    paused_ = !change_and_say(std::move(choice), "from the start");
+    choice.dt_factor = total;
+    change_and_say(std::move(choice), "from the start");
     return;
   }
-  choice_.dt_factor *= factor;
+  choice_.dt_factor = total;
   show_->simulator->change_dt(show_->simulator->dt() * factor);
-  viewer_.say(fmt::format("dt {:g}", show_->simulator->dt()));
+  Scene changed = show_->scene;
+  changed.dt = show_->simulator->dt();
+  std::string message = fmt::format("dt {:g}", changed.dt);
+  for (const std::string& limit : beyond_limits(changed)) message += "; " + limit;
+  viewer_.say(message);
 }
 
 void ScenePlayer::change_speed(double factor) {
-  pace_.set_speed(pace_.speed() * factor);
+  pace_.set_speed(changed_speed(pace_.speed(), factor), Clock::now());
   viewer_.say(fmt::format("speed {:g}", pace_.speed()));
 }
 
@@ -259,7 +190,8 @@ void ScenePlayer::pause_or_go_on() {
   if (!show_->failure.empty())
     return viewer_.say("the run is invalid; r starts again, - with a smaller step");
   paused_ = !paused_;
-  pace_.begin(show_->simulator->time());
+  paused_by_stop_ = false;
+  pace_.begin(show_->simulator->time(), Clock::now());
   viewer_.say(fmt::format("{} at step {}", paused_ ? "paused" : "goes on", show_->simulator->steps()));
 }
 
@@ -277,7 +209,7 @@ void ScenePlayer::answer(const WindowEvent& event) {
 void ScenePlayer::answer_character(char32_t typed) {
   switch (typed) {
     case ' ': return pause_or_go_on();
-    case 'r': restart(); return viewer_.say("from the start");
+    case 'r': return start_again();
     case '1': return choose_method(PressureMethod::ssph);
     case '2': return choose_method(PressureMethod::iisph);
     case '3': return choose_method(PressureMethod::wcsph);
@@ -296,9 +228,9 @@ void ScenePlayer::answer_character(char32_t typed) {
 bool ScenePlayer::step() {
   Show& show = *show_;
   if (!show.failure.empty()) return false;
-  const auto before = Viewer::Clock::now();
+  const auto before = Clock::now();
   show.report = show.simulator->step();
-  const double seconds = std::chrono::duration<double>(Viewer::Clock::now() - before).count();
+  const double seconds = std::chrono::duration<double>(Clock::now() - before).count();
   show.statistics.add(show.report);
   show.count(seconds);
   if (const auto& failure = show.simulator->failure()) {
@@ -309,7 +241,8 @@ bool ScenePlayer::step() {
   }
   const bool stops = (options_.steps && show.report.step == *options_.steps) ||
                      (options_.time && show.report.time >= *options_.time - 0.5 * show.report.dt);
-  if (stops && !std::exchange(stop_reached_, true)) {
+  if (stops && std::exchange(stop_awaited_, false)) {
+    paused_by_stop_ = true;
     paused_ = true;
     viewer_.say(
         fmt::format("paused at step {}, time {:g}, as asked for", show.report.step, show.report.time));
@@ -324,12 +257,12 @@ void ScenePlayer::advance() {
   if (paused_) return;
   const Simulator& simulator = *show_->simulator;
   bool in_time = true;
-  while (simulator.time() + simulator.dt() <= pace_.target()) {
+  while (simulator.time() + simulator.dt() <= pace_.target(Clock::now())) {
     if (!step()) return;
     in_time = viewer_.time_left();
     if (!in_time) break;
   }
-  pace_.reached(simulator.time(), in_time);
+  pace_.reached(simulator.time(), in_time, Clock::now());
 }
 
 std::vector<std::string> ScenePlayer::text() const {
@@ -341,7 +274,7 @@ std::vector<std::string> ScenePlayer::text() const {
   lines.push_back(fmt::format("compression {:.2g} %", 100 * show.report.diagnostics.mean_compression));
   if (paused_) {
     lines.push_back("paused");
-  } else {
+  } else if (pace_.factor() > 0) {
     lines.push_back(fmt::format("real time × {:.3g}", pace_.factor()));
   }
   return lines;
@@ -365,7 +298,7 @@ void ScenePlayer::show() {
 }
 
 void ScenePlayer::run() {
-  if (options_.steps == 0u || options_.time == 0.0) paused_ = stop_reached_ = true;
+  if (options_.steps == 0u || options_.time == 0.0) paused_ = true;
   while (!viewer_.over()) {
     for (const WindowEvent& event : viewer_.turn(paused_ && !viewer_.changed())) answer(event);
     const uint64_t before = show_->simulator->steps();

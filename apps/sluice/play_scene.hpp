@@ -7,48 +7,13 @@
 #include <vector>
 
 #include "apps/sluice/machine.hpp"
+#include "apps/sluice/pace.hpp"
+#include "apps/sluice/play_choice.hpp"
 #include "apps/sluice/play_viewer.hpp"
 #include "core/simulator.hpp"
 #include "core/summary.hpp"
 
 namespace sluice {
-
-/// What is chosen with keys. The scene as its file has it, changed by the command line, is where it starts.
-struct Choice {
-  std::string scene;
-  std::vector<std::string> overrides;
-  std::optional<PressureMethod> method;
-  double refinement = 1;  ///< spacing over that of the file
-  double dt_factor = 1;   ///< dt over that of the file, beyond what the spacing asks for
-};
-
-/// The scene of a choice. Time steps follow the spacing, as far as an explicit viscosity allows. InputError
-/// as of load_scene.
-Scene load_choice(const Choice& choice);
-
-/// How far simulated time follows the clock.
-class Pace {
- public:
-  explicit Pace(double speed) : speed_(speed) {}
-
-  void begin(double time);  ///< from this simulated time on, now
-  /// The simulated time that should be reached now.
-  double target() const;
-  /// `time` was reached. Time that was not kept up with is given up.
-  void reached(double time, bool in_time);
-  /// Simulated seconds per second, over the last half second or so; 0 before.
-  double factor() const { return factor_; }
-
-  double speed() const { return speed_; }
-  void set_speed(double speed);
-
- private:
-  using Clock = std::chrono::steady_clock;
-  double speed_;
-  double time_ = 0, time_measured_ = 0, factor_ = 0;
-  bool kept_up_ = true;  // since the factor was worked out
-  Clock::time_point since_ = Clock::now(), measured_ = since_;
-};
 
 class ScenePlayer {
  public:
@@ -65,7 +30,8 @@ class ScenePlayer {
   struct Show;
   std::string change(Choice choice);
   bool change_and_say(Choice choice, const std::string& what);
-  void restart();
+  void start_again();
+  void set_up(Show& show);
   void answer(const WindowEvent& event);
   void answer_character(char32_t typed);
   void choose_method(PressureMethod method);
@@ -85,8 +51,9 @@ class ScenePlayer {
   Choice choice_;
   Pace pace_;
   std::unique_ptr<Show> show_;
-  bool paused_ = false, stop_reached_ = false;
-  int single_steps_ = 0;  ///< asked for and not yet made
+  bool paused_ = false;
+  bool stop_awaited_ = true, paused_by_stop_ = false;  ///< of --steps or --time
+  int single_steps_ = 0;                               ///< asked for and not yet made
 };
 
 }  // namespace sluice

@@ -26,7 +26,8 @@ bool holds(const gpu::Box& box, glm::dvec2 at) {
 /// A file that is not there yet.
 std::filesystem::path free_name(const std::string& name) {
   std::filesystem::path path = name + ".png";
-  for (int k = 2; std::filesystem::exists(path); ++k) path = fmt::format("{}_{}.png", name, k);
+  std::error_code error;
+  for (int k = 2; std::filesystem::exists(path, error); ++k) path = fmt::format("{}_{}.png", name, k);
   return path;
 }
 
@@ -42,7 +43,8 @@ void Viewer::begin(glm::uvec2 size, Colour colour, std::vector<std::string> help
   colour_ = colour;
   camera_ = {};
   help_ = std::move(help);
-  shows_help_ = false;
+  shows_help_ = wants_screenshot_ = drags_bar_ = false;
+  timeline_.reset();
   changed_ = true;
 }
 
@@ -75,12 +77,14 @@ bool Viewer::answers(const WindowEvent& event) {
       if (event.pressed != Key::escape) return false;
       shows_help_ = false;
       return true;
-    case WindowEvent::press: drags_bar_ = timeline_ && holds(*timeline_, event.at); return false;
+    case WindowEvent::press:
+      drags_bar_ = timeline_ && holds(*timeline_, event.at);
+      return timeline_ && !drags_bar_;
     case WindowEvent::drag:
       if (!drags_bar_) camera_.shift += event.moved;
       return !drags_bar_;
     case WindowEvent::wheel: zoom(event.at, std::pow(zoom_per_click, event.clicks)); return true;
-    case WindowEvent::release:
+    case WindowEvent::release: drags_bar_ = false; return true;
     case WindowEvent::redraw: return true;
   }
   return false;
@@ -109,7 +113,9 @@ void Viewer::zoom(glm::dvec2 about, double factor) {
 void Viewer::show(gpu::Painter& painter, Frame labels, const std::string& name,
                   const std::function<void(Frame)>& paint) {
   labels.colour = colour_;
-  labels.colour_bar = colour_ != Colour::speed && overlay_ != OverlayChoice::none;
+  // As in pictures of runs; with `all` speed has its bar too.
+  labels.colour_bar =
+      overlay_ == OverlayChoice::all || (overlay_ == OverlayChoice::facts && colour_ != Colour::speed);
   if (shows_help_) {
     labels.text = help_;
     labels.long_text = true;
@@ -120,15 +126,20 @@ void Viewer::show(gpu::Painter& painter, Frame labels, const std::string& name,
   painter.renderer().look(glm::max(window_.size(), gpu::smallest_picture), camera_);
   paint(std::move(labels));
   timeline_ = painter.renderer().panels().timeline;
-  if (std::exchange(wants_screenshot_, false)) save_screenshot(painter.renderer(), name);
+  drags_bar_ = drags_bar_ && timeline_;
   painter.renderer().show(glm::uvec2(0), window_.size().y);
+  present();
+  if (std::exchange(wants_screenshot_, false)) save_screenshot(painter.renderer(), name);
+}
+
+void Viewer::present() {
   window_.present();
   changed_ = false;
 }
 
 void Viewer::save_screenshot(const gpu::Renderer& renderer, const std::string& name) {
-  const std::filesystem::path path = free_name(name);
   try {
+    const std::filesystem::path path = free_name(name);
     write_file(path, encode_png(renderer.read()));
     say(fmt::format("screenshot {}", path.string()));
   } catch (const EnvironmentError& error) {

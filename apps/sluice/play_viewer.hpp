@@ -2,12 +2,14 @@
 // camera, changes colours and the overlay, takes screenshots, and keeps the pace.
 #pragma once
 
-#include <chrono>
+#include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "apps/sluice/options.hpp"
+#include "apps/sluice/pace.hpp"
 #include "gpu/context.hpp"
 #include "gpu/painter.hpp"
 #include "media/window.hpp"
@@ -16,8 +18,6 @@ namespace sluice {
 
 class Viewer {
  public:
-  using Clock = std::chrono::steady_clock;
-
   /// Opens the window. Errors as those of Window and of gpu::Context.
   Viewer(glm::uvec2 size, OverlayChoice overlay, const std::optional<std::filesystem::path>& shader_dir);
 
@@ -45,9 +45,9 @@ class Viewer {
   void show(gpu::Painter& painter, Frame labels, const std::string& name,
             const std::function<void(Frame)>& paint);
 
-  /// For pictures made of several: shows `painter`'s picture at this place, and the whole.
+  /// For pictures made of several, which are placed by Renderer::show: the window's size, and its showing.
   glm::uvec2 size() const { return window_.size(); }
-  void present() { window_.present(); }
+  void present();
 
  private:
   bool answers(const WindowEvent& event);

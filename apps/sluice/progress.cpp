@@ -10,23 +10,26 @@
 
 namespace sluice {
 
-Progress::Progress(uint64_t steps, double duration, bool quiet)
-    : steps_(steps), duration_(duration), shown_(!quiet && isatty(STDERR_FILENO) == 1) {}
+Progress::Progress(uint64_t total, double duration, std::string units, bool quiet)
+    : total_(total),
+      duration_(duration),
+      units_(std::move(units)),
+      shown_(!quiet && isatty(STDERR_FILENO) == 1) {}
 
 Progress::~Progress() {
   if (drawn_) std::fputs("\r\x1b[K", stderr);
 }
 
-void Progress::show(const StepReport& report) {
+void Progress::show(uint64_t count, const StepReport& report) {
   if (!shown_) return;
   const Clock::time_point now = Clock::now();
   if (drawn_ && now - last_ < std::chrono::milliseconds(200)) return;
   last_ = now;
   drawn_ = true;
   const double elapsed = std::chrono::duration<double>(now - start_).count();
-  const double done = static_cast<double>(report.step) / static_cast<double>(steps_);
-  fmt::print(stderr, "\r{:3.0f} %  t {:.4g}/{:.4g}  {:.4g} steps/s  dt {:.3g}  ", 100 * done, report.time,
-             duration_, static_cast<double>(report.step) / elapsed, report.dt);
+  const double done = static_cast<double>(count) / static_cast<double>(total_);
+  fmt::print(stderr, "\r{:3.0f} %  t {:.4g}/{:.4g}  {:.4g} {}/s  dt {:.3g}  ", 100 * done, report.time,
+             duration_, static_cast<double>(count) / elapsed, units_, report.dt);
   if (report.iterations > 0) {
     fmt::print(stderr, "iterations {}{}  ", report.iterations, report.converged ? "" : " (not converged)");
   }

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <string>
 
 #include "core/simulator.hpp"
 
@@ -11,18 +12,21 @@ namespace sluice {
 
 class Progress {
  public:
-  /// Shows nothing when `quiet` or when standard error is not a terminal.
-  Progress(uint64_t steps, double duration, bool quiet);
+  /// Of so many `units`, "steps" or "frames", which end at the simulated time `duration`. Shows nothing when
+  /// `quiet` or when standard error is not a terminal.
+  Progress(uint64_t total, double duration, std::string units, bool quiet);
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  void show(const StepReport& report);
+  /// `done` of them; the last is this.
+  void show(uint64_t done, const StepReport& report);
 
  private:
   using Clock = std::chrono::steady_clock;
-  uint64_t steps_;
+  uint64_t total_;
   double duration_;
+  std::string units_;
   bool shown_;
   bool drawn_ = false;
   Clock::time_point start_ = Clock::now(), last_ = start_;

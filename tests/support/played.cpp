@@ -65,7 +65,10 @@ Display::Display() {
   const bool there =
       failed == 0 && poll(&ready, 1, 60'000) == 1 && read(ends[0], digits, sizeof digits - 1) > 0;
   close(ends[0]);
-  if (!there) throw std::runtime_error("no Xvfb; install the package xvfb");
+  if (!there) {
+    if (failed == 0) kill(pid_, SIGTERM);
+    throw std::runtime_error("no Xvfb; install the package xvfb");
+  }
   name_ = number;
 }
 
@@ -103,6 +106,14 @@ void Played::resize(uint32_t width, uint32_t height) {
 
 void Played::press(const std::vector<std::string>& keys) {
   for (const std::string& key : keys) xdotool("key " + key);
+}
+
+void Played::expect_size(uint32_t width, uint32_t height) const {
+  const std::string wanted = fmt::format("{}x{}", width, height);
+  EXPECT_TRUE(within_a_minute([&] {
+    return xdotool(fmt::format("getwindowgeometry {}", window_)).find(wanted) != std::string::npos;
+  })) << "the window never had "
+      << wanted;
 }
 
 void Played::expect_title(const std::string& title) const {

@@ -46,7 +46,8 @@ class Played {
   void press(const std::vector<std::string>& keys);
   /// Any other words for xdotool; returns what it says.
   std::string xdotool(const std::string& words) const;
-  std::string geometry() const { return xdotool("getwindowgeometry " + window_); }
+  /// Fails the test when the window has not this size within a minute.
+  void expect_size(uint32_t width, uint32_t height) const;
 
   /// Fails the test when the window's title is not this within a minute.
   void expect_title(const std::string& title) const;

@@ -12,6 +12,10 @@
 
 namespace sluice::test {
 
+inline void add(RecordingWriter& writer, const Moment& moment) {
+  writer.add(moment.report, moment.seconds_per_step, moment.state);
+}
+
 struct Recorded {
   Scene scene;
   Samples samples;
@@ -28,12 +32,12 @@ struct Recorded {
     report.dt = simulator.dt();
     for (uint64_t k = 0;; ++k) {
       moments.push_back({report, 1e-3 * static_cast<double>(k), simulator.snapshot()});
-      writer.add(moments.back());
+      add(writer, moments.back());
       if (k == steps) break;
       report = simulator.step();
     }
     moments.push_back(moments.back());
-    writer.add(moments.back());
+    add(writer, moments.back());
     writer.commit();
   }
 };

@@ -1,9 +1,12 @@
 // Builds without a window and without recordings: what is left out says how to get it.
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 #include "core/error.hpp"
 #include "media/recording.hpp"
 #include "media/window.hpp"
+#include "tests/support/run_program.hpp"
 
 namespace sluice::test {
 namespace {
@@ -19,7 +22,9 @@ std::string refusal(Action action) {
 }
 
 TEST(Without, AWindowSaysHowToGetOne) {
-  EXPECT_EQ(refusal([] { Window({100, 100}, "title"); }),
+  EXPECT_EQ(refusal([] {
+              Window({100, 100}, "title");
+            }),
             "this program was built without a window; install libglfw3-dev and build it again with "
             "-DSLUICE_WINDOW=ON, or make a film with `sluice run SCENE --video FILE.mp4`");
 }
@@ -30,6 +35,9 @@ TEST(Without, RecordingsSayHowToGetThem) {
       "with -DSLUICE_RECORDINGS=ON";
   EXPECT_EQ(refusal([] { RecordingWriter("a.rec", Scene(), Precision::single_, "device"); }), message);
   EXPECT_EQ(refusal([] { Recording("a.rec"); }), message);
+  const TemporaryFolder folder;
+  { std::ofstream(folder / "a.rec") << "sluice recording and more"; }
+  EXPECT_TRUE(is_recording(folder / "a.rec")) << "or it would be taken for a scene";
 }
 
 }  // namespace

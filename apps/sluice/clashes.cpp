@@ -1,0 +1,28 @@
+// Files by what they are on the disk.
+#include "apps/sluice/clashes.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+
+#include "core/error.hpp"
+
+namespace sluice {
+
+void refuse_clashes(const std::vector<NamedFile>& files) {
+  std::map<std::filesystem::path, std::string> taken;
+  for (const auto& [what, path] : files) {
+    std::error_code error;
+    if (!path) continue;
+    const std::filesystem::file_status status = std::filesystem::status(*path, error);
+    if (exists(status) && !is_regular_file(status) && !is_directory(status)) continue;  // /dev/stdout
+    // A folder may be named with a slash at its end.
+    const auto place = std::filesystem::weakly_canonical(*path / "", error).parent_path();
+    const auto [other, fresh] = taken.try_emplace(place, what);
+    if (fresh) continue;
+    throw InputError(fmt::format("{}: found {}, which is {} too, expected a place of its own", what,
+                                 path->string(), other->second));
+  }
+}
+
+}  // namespace sluice
