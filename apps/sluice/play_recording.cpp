@@ -14,19 +14,9 @@ namespace {
 constexpr double speed_per_key = 2;
 
 const std::vector<std::string> help = {
-    "space  pause, go on",
-    "right left  one frame on, back",
-    "b  backwards, forwards",
-    "up down  faster, slower",
-    "home end  first, last frame",
-    "r  from the start",
+    "space  pause, go on",     "right left  one frame on, back", "b  backwards, forwards",
+    "up down  faster, slower", "home end  first, last frame",    "r  from the start",
     "drag the bar  go there",
-    "c  colours: speed, density, pressure",
-    "o  text: none, facts, all",
-    "drag, wheel, 0  move, zoom, whole view",
-    "s  screenshot",
-    "h  this help",
-    "q  quit",
 };
 
 }  // namespace

@@ -29,12 +29,6 @@ const std::vector<std::string> help = {
     "[ ]  coarser, finer particles",
     "+ -  larger, smaller time step",
     "up down  faster, slower",
-    "c  colours: speed, density, pressure",
-    "o  text: none, facts, all",
-    "drag, wheel, 0  move, zoom, whole view",
-    "s  screenshot",
-    "h  this help",
-    "q  quit",
 };
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/error.hpp"
@@ -22,6 +23,14 @@ bool holds(const gpu::Box& box, glm::dvec2 at) {
   const glm::vec2 place(at);
   return place.x >= box.left && place.x < box.right && place.y >= box.top && place.y < box.bottom;
 }
+
+/// What every part of `sluice play` answers.
+constexpr std::array<const char*, 6> common_help{"c  colours: speed, density, pressure",
+                                                 "o  text: none, facts, all",
+                                                 "drag, wheel, 0  move, zoom, whole view",
+                                                 "s  screenshot",
+                                                 "h  this help",
+                                                 "q  quit"};
 
 /// A file that is not there yet.
 std::filesystem::path free_name(const std::string& name) {
@@ -43,6 +52,7 @@ void Viewer::begin(glm::uvec2 size, Colour colour, std::vector<std::string> help
   colour_ = colour;
   camera_ = {};
   help_ = std::move(help);
+  help_.insert(help_.end(), common_help.begin(), common_help.end());
   shows_help_ = wants_screenshot_ = drags_bar_ = false;
   timeline_.reset();
   changed_ = true;

@@ -25,7 +25,7 @@ class Viewer {
   OverlayChoice overlay() const { return overlay_; }
   bool over() const { return over_ || window_.closed(); }
 
-  /// What is shown from now on, in a window of this size; `help` says what its keys do.
+  /// What is shown from now on, in a window of this size; `help` says what its own keys do.
   void begin(glm::uvec2 size, Colour colour, std::vector<std::string> help);
   void set_title(const std::string& title);
 

@@ -13,8 +13,8 @@
 #include <fstream>
 #include <string>
 
-#include "core/error.hpp"
 #include "media/video.hpp"
+#include "tests/support/message_of.hpp"
 #include "tests/support/run_program.hpp"
 
 namespace sluice::test {
@@ -36,16 +36,6 @@ inline Image quarters(glm::uvec2 size, const std::array<Colour, 4>& colours) {
 
 inline size_t entries(const fs::path& folder) {
   return static_cast<size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
-}
-
-template <class Kind = EnvironmentError>
-std::string message_of(const auto& action) {
-  try {
-    action();
-  } catch (const Kind& error) {
-    return error.what();
-  }
-  return "no such error";
 }
 
 inline bool contains(const std::string& text, const std::string& part) {

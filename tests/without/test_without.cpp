@@ -3,26 +3,16 @@
 
 #include <fstream>
 
-#include "core/error.hpp"
 #include "media/recording.hpp"
 #include "media/window.hpp"
+#include "tests/support/message_of.hpp"
 #include "tests/support/run_program.hpp"
 
 namespace sluice::test {
 namespace {
 
-template <class Action>
-std::string refusal(Action action) {
-  try {
-    action();
-  } catch (const EnvironmentError& error) {
-    return error.what();
-  }
-  return "accepted";
-}
-
 TEST(Without, AWindowSaysHowToGetOne) {
-  EXPECT_EQ(refusal([] {
+  EXPECT_EQ(message_of([] {
               Window({100, 100}, "title");
             }),
             "this program was built without a window; install libglfw3-dev and build it again with "
@@ -33,8 +23,8 @@ TEST(Without, RecordingsSayHowToGetThem) {
   const std::string message =
       "this program was built without recordings; install libzstd-dev and libxxhash-dev and build it again "
       "with -DSLUICE_RECORDINGS=ON";
-  EXPECT_EQ(refusal([] { RecordingWriter("a.rec", Scene(), Precision::single_, "device"); }), message);
-  EXPECT_EQ(refusal([] { Recording("a.rec"); }), message);
+  EXPECT_EQ(message_of([] { RecordingWriter("a.rec", Scene(), Precision::single_, "device"); }), message);
+  EXPECT_EQ(message_of([] { Recording("a.rec"); }), message);
   const TemporaryFolder folder;
   { std::ofstream(folder / "a.rec") << "sluice recording and more"; }
   EXPECT_TRUE(is_recording(folder / "a.rec")) << "or it would be taken for a scene";
