@@ -13,26 +13,12 @@
 
 namespace sluice {
 
-int export_command(const ExportOptions& options) {
-  if (!options.frames.frames && !options.frames.video && !options.frames.vtk) {
-    throw InputError("export: found nothing to write, expected --frames DIR, --video FILE.mp4 or --vtk DIR");
-  }
-  refuse_clashes({{"the recording", options.recording},
-                  {"--video", options.frames.video},
-                  {"--frames", options.frames.frames},
-                  {"--vtk", options.frames.vtk}});
-  const Recording recording(options.recording, options.overrides);
-  std::optional<gpu::Context> context;
-  FrameOutputs outputs(options.frames, recording.scene(), recording.samples(), recording.precision(), "",
-                       [&]() -> const gpu::Context& {
-                         if (!context)
-                           context.emplace(options.machine.gl_device,
-                                           gpu::ShaderLibrary(options.machine.shader_dir));
-                         return *context;
-                       });
-  note_interrupts();
-  Progress progress(recording.frames(), recording.moment(recording.frames() - 1).report.time, "frames",
-                    options.quiet);
+namespace {
+
+/// How many there were time for.
+size_t export_frames(const Recording& recording, FrameOutputs& outputs, bool quiet) {
+  const double end = recording.moment(recording.frames() - 1).report.time;
+  Progress progress(recording.frames(), end, "frames", quiet);
   size_t done = 0;
   try {
     for (; done < recording.frames() && !interrupted(); ++done) {
@@ -44,6 +30,30 @@ int export_command(const ExportOptions& options) {
     Attempts()([&] { outputs.finish(); });  // what there is is kept; the first failure is the news
     throw;
   }
+  return done;
+}
+
+}  // namespace
+
+int export_command(const ExportOptions& options) {
+  if (!options.frames.frames && !options.frames.video && !options.frames.vtk) {
+    throw InputError("export: found nothing to write, expected --frames DIR, --video FILE.mp4 or --vtk DIR");
+  }
+  refuse_clashes({{"the recording", options.recording},
+                  {"--video", options.frames.video},
+                  {"--frames", options.frames.frames},
+                  {"--vtk", options.frames.vtk}});
+  const Recording recording(options.recording, options.overrides);
+  note_interrupts();  // from here on there is something to finish
+  std::optional<gpu::Context> context;
+  FrameOutputs outputs(options.frames, recording.scene(), recording.samples(), recording.precision(), "",
+                       [&]() -> const gpu::Context& {
+                         if (!context)
+                           context.emplace(options.machine.gl_device,
+                                           gpu::ShaderLibrary(options.machine.shader_dir));
+                         return *context;
+                       });
+  const size_t done = export_frames(recording, outputs, options.quiet);
   outputs.finish();
   outputs.tell(options.quiet);
   if (interrupted()) {

@@ -89,6 +89,10 @@ Played::Played(const std::vector<std::string>& words) {
   });
   if (!there || window_.empty())
     throw std::runtime_error("no window (xdotool is in the package xdotool): " + program_->errors_so_far());
+  // What it shows has a title of its own, once it is shown.
+  if (!within_a_minute(
+          [&] { return xdotool(fmt::format("getwindowname {}", window_)).find(" – ") != std::string::npos; }))
+    throw std::runtime_error("the window stays empty");
   const bool focused = within_a_minute([&] {
     xdotool("windowfocus " + window_);
     return first_line(xdotool("getwindowfocus")) == window_;
@@ -118,8 +122,8 @@ void Played::expect_size(uint32_t width, uint32_t height) const {
 
 void Played::expect_title(const std::string& title) const {
   std::string found;
-  const bool there =
-      within_a_minute([&] { return (found = first_line(xdotool("getwindowname " + window_))) == title; });
+  const bool there = within_a_minute(
+      [&] { return (found = first_line(xdotool(fmt::format("getwindowname {}", window_)))) == title; });
   EXPECT_TRUE(there) << "the title is " << found << ", expected " << title;
 }
 
