@@ -82,7 +82,7 @@ TEST(CliVideo, ASecondCtrlCDoesNotWaitForAnFfmpegThatHangs) {
   const TemporaryFolder folder;
   {
     std::ofstream script(folder / "ffmpeg");
-    script << "#!/bin/sh\nsleep 1000\n";
+    script << "#!/bin/sh\nexec sleep 60\n";
   }
   std::filesystem::permissions(folder / "ffmpeg", std::filesystem::perms::owner_all);
   RunningProgram program(
