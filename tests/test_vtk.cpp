@@ -7,6 +7,7 @@
 #include "core/error.hpp"
 #include "core/output_file.hpp"
 #include "media/vtk_series.hpp"
+#include "tests/support/message_of.hpp"
 #include "tests/support/vtk_file.hpp"
 
 namespace sluice::test {
@@ -70,15 +71,6 @@ void check_fluid(const fs::path& path, const std::string& type, const Snapshot& 
   EXPECT_EQ(file.type("id"), "Int64");
   EXPECT_EQ(file.array<int64_t>("id"), from(0, state.x.size()));
   EXPECT_TRUE(file.gapless()) << file.head;
-}
-
-std::string message_of(const auto& action) {
-  try {
-    action();
-  } catch (const EnvironmentError& error) {
-    return error.what();
-  }
-  return "no EnvironmentError";
 }
 
 size_t entries(const fs::path& folder) {

@@ -161,7 +161,7 @@ int run_command(const RunOptions& options) {
   Machine machine(options.machine, samples.fluid.size());
   if (options.machine.backend != BackendChoice::cpu && !options.quiet)
     fmt::print(stderr, "backend: {}\n", machine.choice());
-  if (!machine.gpu_backend() && !options.frames.frames && !options.frames.video)
+  if (!machine.gpu_backend() && !options.frames.pictures())
     warn_of_unused_opengl(options.machine, options.quiet);
   if (!options.frames.video && options.frames.speed != 1)
     warn(options.quiet, "--speed has no effect without --video");

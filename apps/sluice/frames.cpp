@@ -41,7 +41,7 @@ FrameOutputs::FrameOutputs(const FrameOptions& options, const Scene& scene, cons
                            Precision precision, const std::string& device,
                            const std::function<const gpu::Context&()>& context)
     : options_(options), scene_(scene), samples_(samples) {
-  if (options.frames || options.video)
+  if (options.pictures())
     painter_ = std::make_unique<gpu::Painter>(context(), scene, samples, scene.image_size);
   if (options.frames) pictures_.emplace(*options.frames);
   if (options.video) video_.emplace(*options.video, scene.image_size, scene.fps * options.speed);
