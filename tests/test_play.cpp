@@ -144,6 +144,9 @@ TEST(Play, DragPansWheelZoomsAndZeroShowsAllAgain) {
   EXPECT_NE(near, whole);
   played.press({"0"});
   EXPECT_EQ(played.screenshot().png, whole);
+  played.xdotool("mousemove 300 100 click 4 click 4");
+  EXPECT_NE(played.screenshot().png, near) << "what is under the pointer stays there";
+  played.press({"0"});
   played.xdotool("click 5");
   EXPECT_NE(played.screenshot().png, whole);
   EXPECT_EQ(played.quit().code, 0);
