@@ -40,6 +40,7 @@ class Yardstick {
   };
   template <class F>
   void for_each_neighbour(const Particle& particle, F&& f) const;
+  std::vector<double> pressures_of(const Backend& backend) const;
   void pressure_acceleration(Particle& particle) const;
   float change_of_density(const Particle& particle) const;
 

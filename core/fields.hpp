@@ -24,15 +24,33 @@ enum class Type { real, vec2, vec4, uint, uvec2 };
 /// Rounds that loops of one shader invocation may make: some drivers end them all, silently, after 65535.
 inline constexpr uint32_t most_rounds = 65'000;
 
-/// Where the pressure solve of a step stands.
+/// Where the pressure solve of a step stands. Capped: it ended without having converged.
 enum class Solve : uint32_t { unfinished, converged, capped };
 
 // clang-format off
+/// What a sweep of the pressure solve sums up over the particles, with r = s - Ap, and with S and Y the last
+/// changes of q and of -r/A_ii; in this order. The last three are those of the Barzilai-Borwein step.
+#define SLUICE_RESIDUAL_SUMS(SUM) \
+  SUM(error) SUM(counted) SUM(squares) SUM(source_squares) SUM(SS) SUM(SY) SUM(YY)
+
 /// What the totals of a step hold, in this order.
 #define SLUICE_TOTALS(TOTAL) \
   TOTAL(density) TOTAL(compression) TOTAL(speed_squared) TOTAL(x) TOTAL(y) TOTAL(wall_force_x) TOTAL(wall_force_y) \
   TOTAL(lost) TOTAL(max_compression) TOTAL(max_speed_squared)
 // clang-format on
+
+enum class ResidualSum {
+#define SUM(name) name,
+  SLUICE_RESIDUAL_SUMS(SUM)
+#undef SUM
+      count
+};
+inline constexpr uint32_t residual_sum_count = static_cast<uint32_t>(ResidualSum::count);
+inline constexpr std::array<std::string_view, residual_sum_count> residual_sum_names = {
+#define SUM(name) #name,
+    SLUICE_RESIDUAL_SUMS(SUM)
+#undef SUM
+};
 
 enum class Total {
 #define TOTAL(name) name,
@@ -78,13 +96,17 @@ inline constexpr uint32_t first_max_total = static_cast<uint32_t>(Total::max_com
   FIELD(wall_viscosity, vec4, fluid, "density/length^2", "sum_b m_b dW_ib x_ib^T / (x_ib.x_ib + 0.01 H^2), by rows")      \
   FIELD(a_n, vec2, fluid, "length/time^2", "non-pressure acceleration")                                                   \
   FIELD(v_star, vec2, fluid, "length/time", "velocity without pressure, v*")                                              \
-  FIELD(A_ii, real, fluid, "density/pressure", "diagonal of the pressure system")                                         \
+  FIELD(A_ii, real, fluid, "density^2/velocity^2", "diagonal of the pressure system in q")                                \
   FIELD(s, real, fluid, "density", "source of the pressure system")                                                       \
   FIELD(q, real, fluid, "velocity^2/density", "p / rho^2")                                                                \
   FIELD(a_p, vec2, fluid, "length/time^2", "pressure acceleration")                                                       \
   FIELD(Ap, real, fluid, "density", "operator applied to p")                                                              \
-  FIELD(residual_sums, real, residual, "1", "per chunk: sum of |Ap - s|/rho0 of the counted particles; their number")     \
-  FIELD(residual, vec2, one, "1", "the two sums over all chunks")                                                         \
+  FIELD(q_best, real, fluid, "velocity^2/density", "the q of this solve whose error e is the smallest so far")             \
+  FIELD(q_before, real, fluid, "velocity^2/density", "q before the last update")                                          \
+  FIELD(Ap_before, real, fluid, "density", "operator applied to that")                                                    \
+  FIELD(residual_sums, real, residual, "mixed", "per chunk: the entries of ResidualSum")                                  \
+  FIELD(solve, vec4, one, "mixed", "e of the sweep; the smallest e so far; step t of the update; what it starts from: "   \
+        "1 the last q, 0 nothing, -1 the best q, which it leaves as it is")                                               \
   FIELD(sweeps, uvec2, one, "1", "sweeps of this solve, and what has become of it: a Solve")                              \
   FIELD(diagnostic_sums, real, diagnostics, "mixed", "per chunk: the entries of Total")                                   \
   FIELD(totals, real, totals,      "mixed", "the entries of Total over all chunks")
@@ -144,7 +166,7 @@ struct Sizes {
       case Length::boundary: return boundary;
       case Length::list: return list;
       case Length::gradients: return 2 * list;
-      case Length::residual: return 2 * chunks();
+      case Length::residual: return residual_sum_count * chunks();
       case Length::diagnostics: return total_count * chunks();
       case Length::totals: return total_count;
     }

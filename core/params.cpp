@@ -21,6 +21,13 @@ double cell_edge(const Scene& scene) {
   return support * (1 + 4 * double(std::numeric_limits<float>::epsilon()) * cells);
 }
 
+/// The wall term of the scene's pressure system.
+void set_wall(Params& p, const Scene& scene) {
+  if (scene.boundary_model != BoundaryModel::mirror || scene.iisph.wall != Wall::symmetric) return;
+  p.wall_gradient_mass = 2 * p.wall_mass;
+  p.wall_pressure = 0;
+}
+
 }  // namespace
 
 glm::dvec2 grid_cells(const Scene& scene) {
@@ -51,7 +58,10 @@ Params make_params(const Scene& scene, uint32_t n) {
   p.source_weight = scene.iisph.source_weight;
   p.tolerance = scene.iisph.tolerance;
   p.wall_mass = scene.boundary_model == BoundaryModel::akinci ? 1 : p.m;
-  p.wall_pressure = scene.boundary_model == BoundaryModel::mirror ? 1 / (p.rho0 * p.rho0) : 0;
+  const bool mirror = scene.boundary_model == BoundaryModel::mirror;
+  p.wall_gradient_mass = p.wall_mass;
+  p.wall_pressure = mirror ? 1 / (p.rho0 * p.rho0) : 0;
+  if (scene.method == PressureMethod::iisph) set_wall(p, scene);
   p.central_force = scene.central_force;
   p.largest_move = 0.1 * p.h;
   p.inverse_cell = 1 / cell_edge(scene);
@@ -63,20 +73,24 @@ Params make_params(const Scene& scene, uint32_t n) {
   p.n = n;
   p.min_iterations = scene.iisph.min_iterations;
   p.max_iterations = scene.iisph.max_iterations;
+  p.solver = static_cast<uint32_t>(scene.iisph.solver);
+  p.stop = static_cast<uint32_t>(scene.iisph.stop);
   const glm::dvec2 cells = grid_cells(scene);
   p.columns = static_cast<uint32_t>(cells.x);
   p.rows = static_cast<uint32_t>(cells.y);
   return p;
 }
 
-Params make_relax_params(const Params& params) {
+Params make_relax_params(const Params& params, const Scene& scene) {
   Params p = params;
+  set_wall(p, scene);
   p.dt = 1;
   p.gravity = {};
   p.central_force = 0;
   p.warm_start = 0;
   p.source_weight = 1;
   p.tolerance = relax_tolerance;
+  p.stop = static_cast<uint32_t>(Stop::density);
   return p;
 }
 

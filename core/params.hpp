@@ -31,6 +31,7 @@ struct Scene;
   REAL(source_weight, "weight of rho0 - rho in the IISPH source")                                           \
   REAL(tolerance, "bound on the mean density error at which IISPH stops")                                   \
   REAL(wall_mass, "m where all boundary samples have it, 1 where each has a pseudo-mass of its own")        \
+  REAL(wall_gradient_mass, "wall_mass, twice it where the symmetric system counts walls twice")             \
   REAL(wall_pressure, "1 / rho0^2 where a boundary sample mirrors the pressure, else 0")                    \
   REAL(central_force, "c in a = -c (x - centre)")                                                           \
   REAL(largest_move, "0.1 h, cap of one relaxation move")                                                   \
@@ -43,6 +44,8 @@ struct Scene;
   UINT(n, "number of fluid particles")                                                                      \
   UINT(min_iterations, "IISPH sweeps that are done in any case")                                            \
   UINT(max_iterations, "IISPH sweeps after which a solve ends, converged or not")                           \
+  UINT(solver, "a Solver")                                                                                  \
+  UINT(stop, "a Stop")                                                                                      \
   UINT(columns, "grid cells per row, padding included")                                                     \
   UINT(rows, "rows of grid cells, padding included")
 // clang-format on
@@ -78,7 +81,7 @@ Params make_params(const Scene& scene, uint32_t n);
 
 /// The same for a relaxation of the positions: dt = 1, no external force, p starts at 0, s = rho0 - rho, and
 /// a tolerance of its own.
-Params make_relax_params(const Params& params);
+Params make_relax_params(const Params& params, const Scene& scene);
 
 /// Grid cells along the edges of the scene's domain, padding included; as doubles, so that nothing overflows.
 glm::dvec2 grid_cells(const Scene& scene);

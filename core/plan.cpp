@@ -22,7 +22,9 @@ Plan plan_with(const Needs& needs, std::initializer_list<Stage> finish) {
                                gradients, boundary, density, clamp_density});
   plan.forces =
       needed(needs, {external, viscosity, xsph, predict, state_equation, tait, diagonal, source, warm_start});
-  if (needs.linear_system) plan.sweep = {pressure_acceleration, pressure_operator, pressure_update, residual};
+  if (needs.linear_system) {
+    plan.sweep = {pressure_acceleration, pressure_operator, residual, stop_test, pressure_update};
+  }
   plan.finish = needed(needs, finish);
   return plan;
 }
@@ -44,7 +46,7 @@ std::vector<Stage> Plan::stages() const {
 }
 
 Plan make_plan(const Needs& needs) {
-  return plan_with(needs, {pressure_acceleration, integrate, diagnostics, totals});
+  return plan_with(needs, {pressure, pressure_acceleration, integrate, diagnostics, totals});
 }
 
 Plan make_relax_plan(const Needs& needs) {
@@ -55,7 +57,7 @@ Plan make_relax_plan(const Needs& needs) {
   relaxing.tait = false;
   relaxing.linear_system = true;
   relaxing.relaxation = true;
-  return plan_with(relaxing, {pressure_acceleration, relax});
+  return plan_with(relaxing, {pressure, pressure_acceleration, relax});
 }
 
 }  // namespace sluice

@@ -68,6 +68,11 @@ enum class ViscosityModel { none, laplacian, xsph };
 enum class PressureMethod { ssph, wcsph, iisph };
 enum class Colour { speed, density, pressure };
 
+/// How the pressure system is iterated, what its wall term is like, and when it counts as solved.
+enum class Solver : uint32_t { jacobi, barzilai_borwein };
+enum class Wall { thesis, symmetric };
+enum class Stop : uint32_t { density, residual };
+
 struct Ssph {
   double stiffness = 0;  ///< k
 };
@@ -84,6 +89,9 @@ struct Iisph {
   double omega = 0.5;
   double warm_start = 0.5;
   double source_weight = 1;
+  Solver solver = Solver::jacobi;
+  Wall wall = Wall::thesis;  ///< of a mirror boundary
+  Stop stop = Stop::density;
 };
 
 struct Scene {

@@ -84,6 +84,9 @@ void read_iisph(const SceneValue& table, Iisph& iisph) {
   iisph.omega = table.at("omega").number;
   iisph.warm_start = table.at("warm_start").number;
   iisph.source_weight = table.at("source_weight").number;
+  if (table.at("solver").text == "barzilai-borwein") iisph.solver = Solver::barzilai_borwein;
+  if (table.at("wall").text == "symmetric") iisph.wall = Wall::symmetric;
+  if (table.at("stop").text == "residual") iisph.stop = Stop::residual;
 }
 
 void read_pressure(const SceneValue& root, Scene& scene) {

@@ -13,14 +13,14 @@ constexpr KeyRange not_negative{.low = 0};
 constexpr KeyRange at_least(double low) { return {.low = low}; }
 constexpr KeyRange from_to(double low, double high) { return {.low = low, .high = high}; }
 
-constexpr std::array<KeyChoice, 2> boundary_models{{{"mirror"}, {"akinci"}}};
-constexpr std::array<KeyChoice, 4> container_sides{{{"left"}, {"right"}, {"bottom"}, {"top"}}};
-constexpr std::array<KeyChoice, 2> viscosity_models{{{"laplacian"}, {"xsph"}}};
-constexpr std::array<KeyChoice, 3> pressure_methods{{{"iisph"}, {"ssph"}, {"wcsph"}}};
-constexpr std::array<KeyChoice, 2> iisph_solvers{{{"jacobi"}, {"barzilai-borwein", false}}};
-constexpr std::array<KeyChoice, 2> iisph_walls{{{"thesis"}, {"symmetric", false}}};
-constexpr std::array<KeyChoice, 2> iisph_stops{{{"density"}, {"residual", false}}};
-constexpr std::array<KeyChoice, 3> colours{{{"speed"}, {"density"}, {"pressure"}}};
+constexpr std::array<std::string_view, 2> boundary_models{"mirror", "akinci"};
+constexpr std::array<std::string_view, 4> container_sides{"left", "right", "bottom", "top"};
+constexpr std::array<std::string_view, 2> viscosity_models{"laplacian", "xsph"};
+constexpr std::array<std::string_view, 3> pressure_methods{"iisph", "ssph", "wcsph"};
+constexpr std::array<std::string_view, 2> iisph_solvers{"jacobi", "barzilai-borwein"};
+constexpr std::array<std::string_view, 2> iisph_walls{"thesis", "symmetric"};
+constexpr std::array<std::string_view, 2> iisph_stops{"density", "residual"};
+constexpr std::array<std::string_view, 3> colours{"speed", "density", "pressure"};
 
 constexpr auto text = KeyType::text;
 constexpr auto number = KeyType::number;

@@ -32,12 +32,6 @@ struct KeyRange {
   bool high_excluded = false;
 };
 
-/// A name that a choice can take. One that is not available yet is known, and refused where it would be used.
-struct KeyChoice {
-  std::string_view name;
-  bool available = true;
-};
-
 /// The fallback of a key that has none and must be given.
 inline constexpr std::string_view required_key = "required";
 
@@ -48,9 +42,9 @@ struct SceneKey {
   std::string_view
       fallback;  ///< default as TOML text, `required_key`, or empty: may be absent, has no default
   KeyRange range;
-  std::string_view meaning;  ///< one line of Markdown
-  std::span<const KeyChoice> choices = {};
-  bool available = true;  ///< false: known, but refused with "not available yet"
+  std::string_view meaning;                        ///< one line of Markdown
+  std::span<const std::string_view> choices = {};  ///< the names that a choice can take
+  bool available = true;                           ///< false: known, but refused with "not available yet"
 
   std::string_view section() const { return path.substr(0, path.rfind('.')); }
   std::string_view name() const { return path.substr(path.rfind('.') + 1); }
@@ -91,8 +85,8 @@ std::string element_expectation(const SceneKey& key);
 /// What any length has to be, forms included.
 std::string length_expectation();
 
-/// Names as a list in a sentence: "a", "b" or "c", quoted; the unavailable ones are left out.
-std::string join_choices(std::span<const KeyChoice> choices, std::string_view last_word = "or");
+/// Names as a list in a sentence: "a", "b" or "c", quoted.
+std::string join_choices(std::span<const std::string_view> choices, std::string_view last_word = "or");
 
 /// The known name nearest to an unknown one in the table `section` (a path as in SceneSection, empty for the
 /// top): of the same table if one is close, else the full path of a key or table of this very name elsewhere,

@@ -72,9 +72,8 @@ std::string_view type_name(KeyType type) {
 
 std::string allowed_text(const SceneKey& key) {
   std::string text;
-  for (const KeyChoice& c : key.choices)
-    text += fmt::format("{}`\"{}\"`{}", text.empty() ? "" : ", ", c.name,
-                        c.available ? "" : " (not available yet)");
+  for (const std::string_view name : key.choices)
+    text += fmt::format("{}`\"{}\"`", text.empty() ? "" : ", ", name);
   if (key.choices.empty()) text = range_text(key.range);
   for (std::string_view lead : {" ", "of "})  // " of at least 1" follows a noun elsewhere
     if (text.starts_with(lead)) text.erase(0, lead.size());
@@ -117,10 +116,7 @@ size_t edit_distance(std::string_view a, std::string_view b) {
 
 }  // namespace
 
-std::string join_choices(std::span<const KeyChoice> choices, std::string_view last_word) {
-  std::vector<std::string_view> names;
-  for (const KeyChoice& c : choices)
-    if (c.available) names.push_back(c.name);
+std::string join_choices(std::span<const std::string_view> names, std::string_view last_word) {
   std::string text;
   for (size_t i = 0; i < names.size(); ++i) {
     if (i > 0) text += i + 1 == names.size() ? fmt::format(" {} ", last_word) : ", ";

@@ -104,7 +104,7 @@ void Simulator::refuse_beyond_range() const {
 
 std::vector<Vec2> Simulator::relaxed_positions(const std::vector<Vec2>& x) {
   const Plan plan = make_relax_plan(plan_.needs);
-  set_up(plan, make_relax_params(params_));
+  set_up(plan, make_relax_params(params_, scene_));
   upload_state(x, std::vector<Vec2>(x.size()));
   for (uint32_t round = 0; round < scene_.relax; ++round) {
     StepReport report;
@@ -185,7 +185,7 @@ bool Simulator::list_was_too_short() {
   return true;
 }
 
-/// The IISPH loop [Hunkler 2022, algorithm 6]; when it ends is decided by the stage `residual`.
+/// The IISPH loop [Hunkler 2022, algorithm 6]; when it ends is decided by the stage `stop_test`.
 void Simulator::solve_pressure(const Plan& plan, StepReport& report) {
   if (plan.sweep.empty()) return;
   std::array<uint32_t, 2> sweeps{};
@@ -196,11 +196,11 @@ void Simulator::solve_pressure(const Plan& plan, StepReport& report) {
     backend_.download(Field::sweeps, sweeps);
     times = sweeps_between_looks;
   } while (static_cast<Solve>(sweeps[1]) == Solve::unfinished);
-  std::array<double, 2> sums{};
-  backend_.download(Field::residual, sums);
+  std::array<double, 4> solve{};
+  backend_.download(Field::solve, solve);
   report.iterations = sweeps[0];
-  report.residual = sums[1] == 0 ? 0 : sums[0] / sums[1];
   report.converged = static_cast<Solve>(sweeps[1]) == Solve::converged;
+  report.residual = report.converged ? solve[0] : solve[1];
 }
 
 void Simulator::change_dt(double dt) {

@@ -60,26 +60,31 @@ const std::array<StageInfo, stage_count>& stage_table() {
        "p = max(k (rho/rho0 - 1), 0)"},
       {"tait", {rho}, {p, q}, Length::fluid, tait,
        "p = kappa rho0/gamma ((rho/rho0)^gamma - 1)"},
-      {"diagonal", {list, gradient, rho, wall_gradient, wall_gradient_squares}, {A_ii}, Length::fluid,
+      {"diagonal", {list, gradient, wall_gradient, wall_gradient_squares}, {A_ii}, Length::fluid,
        linear_system,
-       "A_ii = -dt^2/rho_i^2 (|m sum_j dW + B_i|^2 + sum |m dW|^2)"},
+       "A_ii = -dt^2 (|m sum_j dW + B_i|^2 + sum |m dW|^2)"},
       {"source", neighbour_list | FieldSet{v_star, rho, wall_gradient}, {s}, Length::fluid, linear_system,
        "s_i = rho0 - rho_i - dt m sum v*_ij.dW_ij"},
-      {"warm_start", {L, p_in, rho}, {p, q}, Length::fluid, linear_system,
-       "p = warm_start p of the last step"},
-      {"pressure_acceleration", neighbour_list | FieldSet{p, q, wall_gradient}, {a_p}, Length::fluid, always,
+      {"warm_start", {L, p_in, rho}, {q}, Length::fluid, linear_system,
+       "q = warm_start p/rho^2, with p of the last step"},
+      {"pressure_acceleration", neighbour_list | FieldSet{q, rho, wall_gradient}, {a_p}, Length::fluid, always,
        "a_p = -m sum_j (q_i + q_j) dW_ij - (q_i [+ p_i/rho0^2: mirror]) B_i"},
       {"pressure_operator", neighbour_list | FieldSet{a_p, wall_gradient}, {Ap}, Length::fluid, linear_system,
        "Ap = dt^2 (m sum_j (a_p,i - a_p,j).dW_ij + a_p,i.B_i)"},
-      {"pressure_update", {Ap, s, A_ii, rho, p, q}, {p, q, residual_sums}, Length::fluid, linear_system,
-       "p := max(p + omega (s - Ap)/A_ii, 0)"},
-      {"residual", {residual_sums, sweeps}, {Field::residual, sweeps}, Length::one, linear_system,
-       "e = mean of |Ap - s|/rho0; solved when e < tolerance"},
+      {"residual", {Ap, s, A_ii, q, q_before, Ap_before}, {residual_sums}, Length::fluid, linear_system,
+       "sums of |s - Ap|, (s - Ap)^2, ... per chunk"},
+      {"stop_test", {residual_sums, sweeps, solve}, {solve, sweeps}, Length::one, linear_system,
+       "e, whether the system is solved, and the step t"},
+      {"pressure_update", {Ap, s, A_ii, q, q_best, solve}, {q, q_best, q_before, Ap_before}, Length::fluid,
+       linear_system,
+       "q := max(q + t (s - Ap)/A_ii, 0)"},
+      {"pressure", {q, rho}, {p}, Length::fluid, linear_system,
+       "p = q rho^2"},
       {"integrate", {x, v_star, a_p}, {x_in, v_in}, Length::fluid, always,
        "v = v* + dt a_p, x = x + dt v"},
       {"relax", {x, v, a_p}, {x_in, v_in}, Length::fluid, relaxation,
        "x := x + a_p, moved by at most 0.1 h"},
-      {"diagnostics", {x_in, v_in, rho, p, q, wall_gradient}, {diagnostic_sums}, Length::fluid, always,
+      {"diagnostics", {x_in, v_in, rho, q, wall_gradient}, {diagnostic_sums}, Length::fluid, always,
        "sums and largest values per chunk"},
       {"totals", {diagnostic_sums}, {Field::totals}, Length::diagnostics, always,
        "the same over all chunks"},
@@ -99,6 +104,9 @@ Needs needs_of(const Scene& scene) {
   needs.state_equation = scene.method == PressureMethod::ssph;
   needs.tait = scene.method == PressureMethod::wcsph;
   needs.linear_system = scene.method == PressureMethod::iisph;
+  needs.thesis_wall =
+      needs.boundary && scene.boundary_model == BoundaryModel::mirror && scene.iisph.wall == Wall::thesis;
+  needs.barzilai_borwein = scene.iisph.solver == Solver::barzilai_borwein;
   needs.relaxation = scene.relax > 0;
   return needs;
 }
@@ -112,7 +120,8 @@ FieldSet needed_only(FieldSet set, const Needs& needs) {
     const Field field = static_cast<Field>(i);
     const bool wall_without_boundary = wall_fields.has(field) && !needs.boundary;
     const bool unused = (field == wall_viscosity && !needs.laplacian) ||
-                        (field == wall_gradient_squares && !(needs.linear_system && !needs.pseudo_mass)) ||
+                        (field == wall_gradient_squares && !(needs.linear_system && needs.thesis_wall)) ||
+                        ((field == q_before || field == Ap_before) && !needs.barzilai_borwein) ||
                         (field == Psi && !needs.pseudo_mass);
     if (set.has(field) && !wall_without_boundary && !unused) kept = kept | FieldSet{field};
   }

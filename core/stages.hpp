@@ -22,6 +22,8 @@ struct Needs {
   bool state_equation = false;  ///< SSPH
   bool tait = false;            ///< WCSPH
   bool linear_system = false;   ///< IISPH
+  bool thesis_wall = false;     ///< of the pressure system: mirror samples, which it counts once
+  bool barzilai_borwein = false;
   bool relaxation = false;
 };
 
@@ -50,8 +52,8 @@ class FieldSet {
   STAGE(gradients) STAGE(boundary) STAGE(density) STAGE(clamp_density)                                         \
   STAGE(external) STAGE(viscosity) STAGE(xsph) STAGE(predict) STAGE(state_equation) STAGE(tait)                \
   STAGE(diagonal) STAGE(source) STAGE(warm_start)                                                              \
-  STAGE(pressure_acceleration) STAGE(pressure_operator) STAGE(pressure_update) STAGE(residual)                 \
-  STAGE(integrate) STAGE(relax) STAGE(diagnostics) STAGE(totals)
+  STAGE(pressure_acceleration) STAGE(pressure_operator) STAGE(residual) STAGE(stop_test)                       \
+  STAGE(pressure_update) STAGE(pressure) STAGE(integrate) STAGE(relax) STAGE(diagnostics) STAGE(totals)
 // clang-format on
 
 enum class Stage : uint8_t {

@@ -2,7 +2,9 @@
 // samples, which rest. m_b is the mass of a sample: m with a mirror boundary [Hunkler 2022, section 5.2],
 // Psi_b with that of [Akinci et al. 2012].
 //   wall_density = sum_b m_b W_ib        B_i = sum_b m_b dW_ib
-//   wall_gradient_squares = sum_b |m dW_ib|^2, of a mirror boundary, for the diagonal of the linear system
+//   wall_gradient_squares = sum_b |m dW_ib|^2, for the diagonal of the linear system with the thesis's wall
+//   term
+// With the symmetric wall term of the linear system B_i is twice that.
 //   wall_viscosity = sum_b m_b dW_ib x_ib^T / (x_ib.x_ib + 0.01 H^2), which applied to v_i gives the viscous
 //   term
 #include "cpu/kernel.hpp"
@@ -14,7 +16,7 @@ template <class Real>
 void boundary(State<Real>& state) {
   const ParamsOf<Real>& params = state.params;
   const bool viscous = state.needs.laplacian, pseudo_mass = state.needs.pseudo_mass;
-  const bool needs_squares = state.needs.linear_system && !pseudo_mass;
+  const bool needs_squares = state.needs.linear_system && state.needs.thesis_wall;
   for_each_index(params.n, state.threads, [&](uint32_t i) {
     const glm::vec<2, Real> x_i = state.x[i];
     Real W{}, squares{};
@@ -38,7 +40,7 @@ void boundary(State<Real>& state) {
       }
     });
     state.wall_density[i] = params.wall_mass * W;
-    state.wall_gradient[i] = params.wall_mass * gradient;
+    state.wall_gradient[i] = params.wall_gradient_mass * gradient;
     if (needs_squares) state.wall_gradient_squares[i] = params.m * params.m * squares;
     if (viscous) state.wall_viscosity[i] = params.wall_mass * tensor;
   });

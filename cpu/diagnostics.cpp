@@ -25,7 +25,7 @@ void diagnostics(State<Real>& state) {
       at(Total::x) += x.x;
       at(Total::y) += x.y;
       if (walls) {
-        const Real pressure = state.q[i] + state.p[i] * params.wall_pressure;
+        const Real pressure = wall_pressure_term(params, state.q[i], state.rho[i]);
         const glm::vec<2, Real> force = (params.m * pressure) * state.wall_gradient[i];
         at(Total::wall_force_x) += force.x;
         at(Total::wall_force_y) += force.y;

@@ -2,7 +2,8 @@
 // B_i the sum over the boundary (stage `boundary`):
 //   a_p = -m sum_j (q_i + q_j) dW_ij - (q_i + p_i/rho0^2) B_i
 // p_i/rho0^2 stands for a sample that mirrors the pressure of the particle that looks at it; samples with
-// pseudo-masses do not [Akinci et al. 2012], there wall_pressure is 0.
+// pseudo-masses do not [Akinci et al. 2012], there wall_pressure is 0. With the symmetric wall term it is 0
+// too, and B_i counts twice.
 #include "cpu/stages.hpp"
 #include "cpu/sums.hpp"
 
@@ -18,7 +19,7 @@ void pressure_acceleration(State<Real>& state) {
   };
   sum_over_neighbours(state, std::array<Real, 2>{}, term, [&](uint32_t i, auto sums) {
     glm::vec<2, Real> sum = -(params.m * glm::vec<2, Real>(sums[0], sums[1]));
-    if (walls) sum -= (state.q[i] + state.p[i] * params.wall_pressure) * state.wall_gradient[i];
+    if (walls) sum -= wall_pressure_term(params, state.q[i], state.rho[i]) * state.wall_gradient[i];
     state.a_p[i] = sum;
   });
 }

@@ -1,10 +1,9 @@
-// IISPH: one relaxed Jacobi step, p := max(p + omega (s - Ap)/A_ii, 0), and q = p/rho^2 [Hunkler 2022,
-// algorithm 6]. Per chunk of particles also the residual |Ap - s|/rho0, summed over those whose updated
-// pressure did not fall below zero, and how many these are. A particle with A_ii = 0 (nobody in reach) keeps
-// its pressure and is not counted. Differs from [Hunkler 2022, algorithm 6]: line 14 there reads (Ap) != 0,
-// with which pressure would never start.
-#include <cmath>
-
+// IISPH: one step of the projected iteration on q = p/rho^2:
+//   q := max(q + t (s - Ap)/A_ii, 0)
+// With t = omega it is that of the relaxed Jacobi iteration [Hunkler 2022, algorithm 6], there written in p.
+// The stage `stop_test` chooses t, and whether to start from the last q, from nothing, or to go back to the
+// best q of this solve. A particle with A_ii = 0 (nobody in reach) keeps its q. Differs from [Hunkler 2022,
+// algorithm 6]: line 14 there reads (Ap) != 0, with which pressure would never start.
 #include "core/larger.hpp"
 #include "cpu/stages.hpp"
 
@@ -12,23 +11,23 @@ namespace sluice::cpu {
 
 template <class Real>
 void pressure_update(State<Real>& state) {
-  const ParamsOf<Real>& params = state.params;
-  const uint64_t chunks = state.sizes.chunks();
-  for_each_chunk(params.n, state.threads, [&](uint32_t chunk, uint32_t first, uint32_t last) {
-    Real error{}, counted{};
-    for (uint32_t i = first; i < last; ++i) {
-      if (state.A_ii[i] == Real(0)) continue;
-      const Real difference = state.s[i] - state.Ap[i];
-      const Real p = state.p[i] + params.omega * difference / state.A_ii[i];
-      const Real rho = state.rho[i];
-      state.p[i] = at_least(Real(0), p);
-      state.q[i] = state.p[i] / (rho * rho);
-      if (p < Real(0)) continue;
-      error += std::abs(difference) / params.rho0;
-      counted += Real(1);
+  const bool keeps_last = state.needs.barzilai_borwein;
+  const glm::vec<4, Real> solve = state.solve[0];
+  const Real t = solve.z, start = solve.w;
+  const bool is_best = solve.x == solve.y;
+  for_each_index(state.params.n, state.threads, [&](uint32_t i) {
+    const Real q = state.q[i], Ap = state.Ap[i], A = state.A_ii[i];
+    if (is_best) state.q_best[i] = q;
+    if (keeps_last) {
+      state.q_before[i] = q;
+      state.Ap_before[i] = Ap;
     }
-    state.residual_sums[chunk] = error;
-    state.residual_sums[chunks + chunk] = counted;
+    if (start < Real(0))
+      state.q[i] = state.q_best[i];
+    else if (start == Real(0))
+      state.q[i] = Real(0);
+    else if (A != Real(0))
+      state.q[i] = at_least(Real(0), q + t * (state.s[i] - Ap) / A);
   });
 }
 

@@ -1,8 +1,15 @@
-// IISPH: the two sums of pressure_update over all chunks, and whether the solve is over. Their quotient is
-// the error e of the stop test, which is met when e < tolerance and enough sweeps are done [Hunkler 2022,
-// algorithm 6]; nobody counted means e = 0. The test compares error with tolerance times count, so that no
-// division decides when a solve ends.
-#include "cpu/fold.hpp"
+// IISPH: how far the pressure system is from being solved, as sums per chunk of particles, with r = s - Ap:
+//   error           |r| of those whose q a step with t = omega does not take below zero [Hunkler 2022,
+//   algorithm 6] counted         how many these are squares         r^2, but where q = 0 only of r < 0: a
+//   positive r asks for less pressure than none source_squares  s^2 where s < 0: what `squares` is without
+//   any pressure
+// and with S and Y the last changes of q and of -r/A_ii, in the inner product weighted by -A_ii, in which the
+// system is symmetric [Barzilai & Borwein 1988]:
+//   SS = S'S    SY = S'Y    YY = Y'Y
+// A particle with A_ii = 0 (nobody in reach) has no part in any.
+#include <array>
+#include <cmath>
+
 #include "cpu/stages.hpp"
 
 namespace sluice::cpu {
@@ -10,19 +17,30 @@ namespace sluice::cpu {
 template <class Real>
 void residual(State<Real>& state) {
   const ParamsOf<Real>& params = state.params;
+  const bool barzilai_borwein = state.needs.barzilai_borwein;
   const uint64_t chunks = state.sizes.chunks();
-  const auto sum = [](Real a, Real b) { return a + b; };
-  const Real* sums = state.residual_sums.data();
-  const Real error = fold(sums, chunks, sum), counted = fold(sums + chunks, chunks, sum);
-  state.residual[0] = {error, counted};
-
-  const uint32_t done = state.sweeps[0].x + 1;
-  const Real bound = params.tolerance * counted;
-  const bool above = counted > Real(0) && error >= bound;  // false for NaN: it ends the solve
-  const bool goes_on = done < params.max_iterations && (done < params.min_iterations || above);
-  const bool converged = counted == Real(0) || error < bound;
-  const Solve solve = goes_on ? Solve::unfinished : converged ? Solve::converged : Solve::capped;
-  state.sweeps[0] = {done, static_cast<uint32_t>(solve)};
+  for_each_chunk(params.n, state.threads, [&](uint32_t chunk, uint32_t first, uint32_t last) {
+    std::array<Real, residual_sum_count> sums{};
+    const auto at = [&](ResidualSum sum) -> Real& { return sums[static_cast<uint32_t>(sum)]; };
+    for (uint32_t i = first; i < last; ++i) {
+      const Real A = state.A_ii[i], q = state.q[i], s = state.s[i], Ap = state.Ap[i];
+      if (A == Real(0)) continue;
+      const Real r = s - Ap;
+      if (!(q + params.omega * r / A < Real(0))) {
+        at(ResidualSum::error) += std::abs(r);
+        at(ResidualSum::counted) += Real(1);
+      }
+      if (q > Real(0) || !(r > Real(0))) at(ResidualSum::squares) += r * r;
+      if (s < Real(0)) at(ResidualSum::source_squares) += s * s;
+      if (!barzilai_borwein) continue;
+      const Real S = q - state.q_before[i], change = state.Ap_before[i] - Ap;  // -A_ii Y
+      at(ResidualSum::SS) -= S * S * A;
+      at(ResidualSum::SY) += S * change;
+      at(ResidualSum::YY) -= change * change / A;
+    }
+    for (uint32_t sum = 0; sum < residual_sum_count; ++sum)
+      state.residual_sums[sum * chunks + chunk] = sums[sum];
+  });
 }
 
 }  // namespace sluice::cpu

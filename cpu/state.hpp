@@ -49,6 +49,13 @@ struct State {
 #undef FIELD
 };
 
+/// What the pressure force has at the boundary in place of q_i + q_j: q_i + p_i/rho0^2 where samples mirror
+/// the pressure.
+template <class Real>
+Real wall_pressure_term(const ParamsOf<Real>& params, Real q, Real rho) {
+  return q + q * (rho * rho) * params.wall_pressure;
+}
+
 /// Calls f(i) for all i < n on `threads` threads. Who runs which i does not matter: f writes only what
 /// belongs to i.
 template <class F>

@@ -1,6 +1,6 @@
 // IISPH: the pressure the solve starts from, a share of the last step's [Ihmsen et al. 2014]; 0 in the first
 // step:
-//   p = warm_start p_in,   q = p/rho^2
+//   q = warm_start p_in/rho^2
 #include "cpu/stages.hpp"
 
 namespace sluice::cpu {
@@ -10,8 +10,7 @@ void warm_start(State<Real>& state) {
   const ParamsOf<Real>& params = state.params;
   for_each_index(params.n, state.threads, [&](uint32_t i) {
     const Real rho = state.rho[i];
-    state.p[i] = params.warm_start * state.p_in[state.L[i]];
-    state.q[i] = state.p[i] / (rho * rho);
+    state.q[i] = params.warm_start * state.p_in[state.L[i]] / (rho * rho);
   });
 }
 

@@ -21,8 +21,9 @@ namespace {
 
 constexpr uint32_t guard_word = 0xffffffff;  // NaN as a float
 
-/// Where in the buffer of sweep groups those of passes over chunks stand; those over particles come first.
-constexpr uint32_t groups_of_chunks = 3 * sizeof(uint32_t);
+/// Where in the buffer of sweep groups those of passes over chunks stand, and those of the update, which runs
+/// once more when the solve is over; those of other passes over particles come first.
+constexpr uint32_t groups_of_chunks = 3 * sizeof(uint32_t), groups_of_update = 6 * sizeof(uint32_t);
 
 /// One texel per component.
 GLenum texel_format(Field field) { return is_integer(field) ? GL_R32UI : GL_R32F; }
@@ -53,7 +54,7 @@ class Implementation final : public GpuBackend {
     GLint most_texels = 0;
     glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most_texels);
     most_texels_ = options.most_texels > 0 ? options.most_texels : static_cast<uint32_t>(most_texels);
-    make_room(context_, sweep_groups_, 6 * sizeof(uint32_t), "sweep groups");
+    make_room(context_, sweep_groups_, 9 * sizeof(uint32_t), "sweep groups");
     make_room(context_, unused_, 0, "nothing");
   }
 
@@ -105,17 +106,18 @@ class Implementation final : public GpuBackend {
     run(stage, false);
   }
 
-  /// Enqueues all sweeps; the stage `residual` sees to it that those after the last one have no groups to
+  /// Enqueues all sweeps; the stage `stop_test` sees to it that those after the last one have no groups to
   /// run.
   void sweep(const std::vector<Stage>& stages, uint32_t times) override {
     context_.make_current();
     const Groups particles = groups_for(sizes_.fluid, group_size_),
                  chunks = groups_for(sizes_.chunks(), group_size_);
-    const std::array<uint32_t, 6> groups{particles.x, particles.y, 1, chunks.x, chunks.y, 1};
+    const std::array<uint32_t, 9> groups{particles.x, particles.y, 1,           chunks.x, chunks.y,
+                                         1,           particles.x, particles.y, 1};
     glBindBuffer(GL_COPY_WRITE_BUFFER, sweep_groups_.name());
     glBufferSubData(GL_COPY_WRITE_BUFFER, 0, sizeof(groups), groups.data());
     for (uint32_t k = 0; k < times; ++k) {
-      for (const Stage stage : stages) run(stage, stage != Stage::residual);
+      for (const Stage stage : stages) run(stage, stage != Stage::stop_test);
     }
   }
 
@@ -276,7 +278,9 @@ class Implementation final : public GpuBackend {
       compute.set("fold_to", pass.fold_to);
       compute.set("fold_first", pass.fold_first ? 1u : 0u);
       if (unless_solved)
-        compute.dispatch_indirect(sweep_groups_, pass.over_chunks ? groups_of_chunks : 0);
+        compute.dispatch_indirect(sweep_groups_, pass.over_chunks                  ? groups_of_chunks
+                                                 : stage == Stage::pressure_update ? groups_of_update
+                                                                                   : 0);
       else
         compute.dispatch(groups_for(pass.count, pass.per_group));
     }

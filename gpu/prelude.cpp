@@ -6,6 +6,8 @@
 #include <cstring>
 #include <iterator>
 
+#include "core/scene.hpp"
+
 namespace sluice::gpu {
 namespace {
 
@@ -38,6 +40,10 @@ std::string constants(const Needs& needs, uint32_t pass, uint32_t group_size) {
     add("total_" + std::string(total_names[total]), total);
   add("total_count", total_count);
   add("first_max_total", first_max_total);
+  for (uint32_t sum = 0; sum < residual_sum_count; ++sum)
+    add("residual_" + std::string(residual_sum_names[sum]), sum);
+  add("solver_jacobi", static_cast<uint32_t>(Solver::jacobi));
+  add("stop_residual", static_cast<uint32_t>(Stop::residual));
   for (const auto& [name, value] : facts_of(needs)) text += fmt::format("const bool {} = {};\n", name, value);
   return text;
 }
@@ -61,8 +67,7 @@ bool has_scratch(Stage stage) {
     case Stage::grid_scan:
     case Stage::grid_order:
     case Stage::neighbours:
-    case Stage::pressure_update:
-    case Stage::residual:
+    case Stage::stop_test:
     case Stage::totals: return true;
     default: return false;
   }
@@ -103,7 +108,7 @@ std::vector<Fact> facts_of(const Needs& needs) {
   return {{"walls", needs.boundary},
           {"pseudo_mass", needs.pseudo_mass},
           {"viscous", needs.laplacian},
-          {"linear_system", needs.linear_system}};
+          {"thesis_wall", needs.linear_system && needs.thesis_wall}};
 }
 
 std::string texels_name(Field field) { return std::string(info(field).name) + "_texels"; }
@@ -159,7 +164,7 @@ std::string prelude(Stage stage, const Needs& needs, uint32_t pass, uint32_t gro
   text += fields(stage, loads);
   text += "#define load(field, i) load_##field(i)\n";
   if (has_scratch(stage)) text += storage(scratch_block, "", "uint", "scratch");
-  if (stage == Stage::residual) text += storage(sweep_groups_block, "", "uint", "sweep_groups");
+  if (stage == Stage::stop_test) text += storage(sweep_groups_block, "", "uint", "sweep_groups");
   text += "uniform uint count;  // what this pass runs over\n";
   return text;
 }

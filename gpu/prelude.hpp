@@ -39,7 +39,7 @@ std::string block_name(Field field);
 /// The field as an image: "x_texels".
 std::string texels_name(Field field);
 /// Storage blocks that are no fields: memory for the passes of one stage, and the numbers of groups that the
-/// next sweep runs in each dimension, over particles and over chunks.
+/// next sweep runs in each dimension, over particles, over chunks, and of the update.
 inline constexpr std::string_view scratch_block = "scratch_block", sweep_groups_block = "sweep_groups_block";
 
 /// The parameters as the uniform block "params_block" holds them, by the rules of std140.

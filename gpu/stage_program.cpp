@@ -91,9 +91,9 @@ std::vector<Pass> passes_of(Stage stage, const Sizes& sizes, uint32_t group_size
     case Stage::neighbours:
       return {each_invocation(0, n, group_size), each_invocation(1, groups_of(n, slice_width), group_size),
               each_invocation(2, n, group_size)};
-    case Stage::pressure_update: return {each_invocation(0, n, group_size), each_chunk(1, sizes, group_size)};
+    case Stage::residual:
     case Stage::diagnostics: return {each_chunk(0, sizes, group_size)};
-    case Stage::residual: return fold_passes(sizes.chunks(), 2, 1, group_size);
+    case Stage::stop_test: return fold_passes(sizes.chunks(), residual_sum_count, 1, group_size);
     case Stage::totals: return fold_passes(sizes.chunks(), total_count, total_count, group_size);
     default: return {each_invocation(0, sizes.of(info(stage).range), group_size)};
   }

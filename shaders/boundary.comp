@@ -1,8 +1,9 @@
 // All that a particle needs of the boundary in this step, summed once [Hunkler 2022, section 5.2; Akinci et al. 2012].
 // With m_b the mass of a sample, m with a mirror boundary, else Psi_b:
 //   wall_density = sum_b m_b W_ib        B_i = sum_b m_b dW_ib
-//   wall_gradient_squares = sum_b |m dW_ib|^2, of a mirror boundary
+//   wall_gradient_squares = sum_b |m dW_ib|^2, with the thesis's wall term of the linear system
 //   wall_viscosity = sum_b m_b dW_ib x_ib^T / (x_ib.x_ib + 0.01 H^2)
+// With the symmetric wall term of the linear system B_i is twice that.
 
 #include "lib/grid.glsl"
 #include "lib/kernel.glsl"
@@ -33,11 +34,11 @@ void run(uint i) {
     }
   }
   W *= params.wall_mass;
-  gradient *= params.wall_mass;
+  gradient *= params.wall_gradient_mass;
   squares *= params.m * params.m;
   tensor *= params.wall_mass;
   wall_density[i] = W;
   wall_gradient[i] = gradient;
-  if (linear_system && !pseudo_mass) wall_gradient_squares[i] = squares;
+  if (thesis_wall) wall_gradient_squares[i] = squares;
   if (viscous) wall_viscosity[i] = tensor;
 }

@@ -3,6 +3,7 @@
 // squared.
 
 #include "lib/vectors.glsl"
+#include "lib/wall.glsl"
 
 bool is_lost(vec2 at) {
   return at.x < params.domain_min.x || at.x > params.domain_max.x || at.y < params.domain_min.y;
@@ -23,8 +24,7 @@ void run(uint chunk) {
     speed_squared += square;
     position += x_i;
     if (walls) {
-      precise float pressure = load(q, i) + load(p, i) * params.wall_pressure;
-      wall_force += (params.m * pressure) * load(wall_gradient, i);
+      wall_force += (params.m * wall_pressure_term(load(q, i), rho_i)) * load(wall_gradient, i);
     }
     lost += is_lost(x_i) ? 1.0 : 0.0;
     max_compression = larger(max_compression, above);

@@ -1,6 +1,7 @@
-// IISPH: diagonal of the pressure system [Hunkler 2022, eq. 5.13]:
-//   A_ii = -dt^2/rho_i^2 ( |m sum_j dW_ij + B_i|^2 + sum |m dW|^2 )
-// The sum of squares is over fluid and mirror samples alike; samples with pseudo-masses have no part in it.
+// IISPH: diagonal of the pressure system with respect to q = p/rho^2 [Hunkler 2022, eq. 5.13]:
+//   A_ii = -dt^2 ( |m sum_j dW_ij + B_i|^2 + sum |m dW|^2 )
+// With the wall term of the thesis the sum of squares is over fluid and mirror samples alike; otherwise samples have no
+// part in it.
 
 #include "lib/neighbours.glsl"
 #include "lib/vectors.glsl"
@@ -16,8 +17,7 @@ void run(uint i) {
   sum = params.m * sum;
   squares = params.m * params.m * squares;
   if (walls) sum += load(wall_gradient, i);
-  if (walls && !pseudo_mass) squares += load(wall_gradient_squares, i);
-  precise float scale = params.dt / load(rho, i);
-  precise float diagonal = -(scale * scale) * (dot_of(sum, sum) + squares);
+  if (walls && thesis_wall) squares += load(wall_gradient_squares, i);
+  precise float diagonal = -(params.dt * params.dt) * (dot_of(sum, sum) + squares);
   A_ii[i] = diagonal;
 }

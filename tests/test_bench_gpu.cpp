@@ -56,16 +56,17 @@ TEST(BenchGpu, SweepsAreComparedWithTheYardsticks) {
 }
 
 TEST(BenchGpu, SweepBytesAreThoseOfTheStageTable) {
-  const Plan plan = make_plan({.boundary = true, .linear_system = true});
+  const Plan plan = make_plan({.boundary = true, .linear_system = true, .barzilai_borwein = true});
   constexpr uint64_t n = 6400, entries = 70'000;
   // Per entry in both passes: index and gradient. Per particle:
-  constexpr double acceleration = 8 + 4 + 4 + 8 + 8;  // list, p, q, wall_gradient; a_p
+  constexpr double acceleration = 8 + 4 + 4 + 8 + 8;  // list, q, rho, wall_gradient; a_p
   constexpr double change = 8 + 8 + 8 + 4;            // list, a_p, wall_gradient; Ap
-  constexpr double update = 6 * 4 + 2 * 4;            // Ap, s, A_ii, rho, p, q; p, q
-  constexpr double sums = 2 * 2 * 4 / 64.0;           // two sums per chunk, written and read
-  constexpr double of_all = 2 * 8 + 8;                // sweeps, read and written, and the residual
+  constexpr double residual = 6 * 4;                  // Ap, s, A_ii, q, q_before, Ap_before
+  constexpr double update = 5 * 4 + 4 * 4;   // Ap, s, A_ii, q, q_best; q, q_best, q_before, Ap_before
+  constexpr double sums = 7 * 2 * 4 / 64.0;  // seven sums per chunk, written and read
+  constexpr double of_all = 2 * 8 + 3 * 16;  // sweeps and solve, read and written; solve once more
   EXPECT_DOUBLE_EQ(bench::sweep_bytes(plan, n, entries),
-                   2 * (4 + 8) * entries + n * (acceleration + change + update + sums) + of_all);
+                   2 * (4 + 8) * entries + n * (acceleration + change + residual + update + sums) + of_all);
 }
 
 TEST(BenchGpu, PagesAreNamedAfterTheGpu) {

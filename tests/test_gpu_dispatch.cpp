@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,6 +16,7 @@
 #include "core/random.hpp"
 #include "core/sampling.hpp"
 #include "core/simulator.hpp"
+#include "cpu/backend.hpp"
 #include "cpu/fold.hpp"
 #include "gpu/backend.hpp"
 #include "gpu/compute_program.hpp"
@@ -114,7 +116,7 @@ TEST(GpuSweep, SweepsEnqueuedTogetherEndWhereThoseOneByOneDo) {
     EXPECT_EQ(static_cast<Solve>(sweeps[1]), Solve::converged);
     counts.push_back(sweeps[0]);
     pressures.emplace_back(samples.fluid.size());
-    gpu.backend->download(Field::p, pressures.back());
+    gpu.backend->download(Field::q, pressures.back());
   }
   EXPECT_EQ(counts[0], counts[1]);
   EXPECT_GT(counts[0], 1u);
@@ -147,7 +149,7 @@ TEST(GpuFold, EveryLevelWritesElsewhereThanItReadsAndWithinItsMemory) {
     const Sizes sizes{.fluid = chunks * chunk_width};
     const uint64_t scratch = gpu::scratch_size(sizes);
     for (const auto& [stage, arrays] :
-         {std::pair(Stage::residual, 2u), std::pair(Stage::totals, total_count)}) {
+         {std::pair(Stage::stop_test, residual_sum_count), std::pair(Stage::totals, total_count)}) {
       uint64_t length = chunks, written = 0;
       for (const gpu::Pass& pass : gpu::passes_of(stage, sizes, 64)) {
         EXPECT_EQ(pass.fold_length, length);
@@ -192,20 +194,48 @@ TEST(GpuFold, TotalsAreThoseOfTheTreeOfSixtyFours) {
   }
 }
 
-TEST(GpuFold, TheResidualIsThatOfTheTreeOfSixtyFours) {
+/// What the stop test says, sums in, on any backend.
+std::pair<std::vector<double>, std::vector<uint32_t>> stop_test_of(Backend& backend, uint64_t chunks,
+                                                                   const std::vector<float>& sums,
+                                                                   uint32_t sweeps_before, double smallest) {
+  backend.allocate({Field::residual_sums, Field::solve, Field::sweeps}, {.fluid = chunks * chunk_width - 5});
+  backend.upload(Field::residual_sums, in_double(sums));
+  backend.upload(Field::solve, std::array<double, 4>{0.5, smallest, 0.5, 1});
+  backend.upload(Field::sweeps, std::array<uint32_t, 2>{sweeps_before, 0});
+  backend.run(Stage::stop_test);
+  std::vector<double> solve(4);
+  std::vector<uint32_t> sweeps(2);
+  backend.download(Field::solve, solve);
+  backend.download(Field::sweeps, sweeps);
+  return {solve, sweeps};
+}
+
+TEST(GpuFold, TheStopTestIsTheCpus) {
   Gpu gpu;
-  gpu.backend->configure(make_params(shipped("breaking_dam"), 1), {.linear_system = true});
-  for (const uint64_t chunks : chunk_counts) {
-    const std::vector<float> values = random_values(2 * chunks, chunks);
-    gpu.allocate({Field::residual_sums, Field::residual, Field::sweeps}, {.fluid = chunks * chunk_width - 5});
-    gpu.backend->upload(Field::residual_sums, in_double(values));
-    gpu.backend->run(Stage::residual);
-    const auto found = gpu.reals(Field::residual);
-    for (const uint32_t which : {0u, 1u}) {
-      const float expected = cpu::fold(values.data() + which * chunks, chunks, std::plus<float>());
-      expect_same(found[which], expected, chunks, which);
+  const auto cpu = cpu::make_backend(Precision::single_, 1);
+  std::set<std::pair<uint32_t, double>> outcomes;
+  for (const char* stop : {"density", "residual"}) {
+    for (const char* solver : {"jacobi", "barzilai-borwein"}) {
+      const Scene scene = shipped(
+          "breaking_dam", {std::string("pressure.iisph.stop=") + stop,
+                           std::string("pressure.iisph.solver=") + solver, "pressure.iisph.tolerance=1.02"});
+      gpu.backend->configure(make_params(scene, 1), needs_of(scene));
+      cpu->configure(make_params(scene, 1), needs_of(scene));
+      for (const uint64_t chunks : chunk_counts) {
+        const std::vector<float> sums = random_values(residual_sum_count * chunks, chunks);
+        for (const auto& [before, smallest] :
+             {std::pair{0u, 0.25}, {1u, 0.25}, {2u, 0.25}, {999u, 0.25}, {999u, 1e30}}) {
+          const auto expected = stop_test_of(*cpu, chunks, sums, before, smallest);
+          const auto found = stop_test_of(*gpu.backend, chunks, sums, before, smallest);
+          for (size_t k = 0; k < 4; ++k)
+            expect_same(found.first[k], static_cast<float>(expected.first[k]), chunks, before);
+          EXPECT_EQ(found.second, expected.second) << chunks << " chunks, " << before << " sweeps before";
+          outcomes.insert({expected.second[1], expected.first[3]});
+        }
+      }
     }
   }
+  EXPECT_EQ(outcomes.size(), 4u) << "unfinished, converged, capped with an update and going back";
 }
 
 TEST(GpuBackend, DeletesItsOwnObjectsWhicheverContextIsCurrent) {

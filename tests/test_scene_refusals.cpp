@@ -338,28 +338,10 @@ TEST(SceneRefusals, ModelsThatDoNotGoTogether) {
 
 TEST(SceneRefusals, NotAvailableYet) {
   expect_refusals({
-      {25, "solver = \"barzilai-borwein\"",
-       "t.toml:25:10: pressure.iisph.solver: found \"barzilai-borwein\", which is not available yet, "
-       "expected "
-       "\"jacobi\""},
-      {25, "wall = \"symmetric\"",
-       "t.toml:25:8: pressure.iisph.wall: found \"symmetric\", which is not available yet, expected "
-       "\"thesis\""},
-      {25, "stop = \"residual\"",
-       "t.toml:25:8: pressure.iisph.stop: found \"residual\", which is not available yet, expected "
-       "\"density\""},
       {32, "cfl = 0.4\ndt_min = 0.001\ndt_max = 0.1",
        "t.toml:32:7: time.cfl: found 0.4, which is not available yet, expected no such key"},
       {32, "cfl = 0.4", "t.toml:32:7: time.cfl: found 0.4, which is not available yet, expected no such key"},
   });
-  EXPECT_EQ(refusal_of(scene_with(25, "wall = \"symmetric\""), {"pressure.method=ssph"}), "no refusal")
-      << "the table of a method that is not chosen may hold it";
-  EXPECT_EQ(refusal_of(scene_with(25, "wall = \"symmetric\""), {"pressure.method=ssph", "fluid.relax=3"}),
-            "t.toml:25:8: pressure.iisph.wall: found \"symmetric\", which is not available yet, expected "
-            "\"thesis\"");
-  EXPECT_EQ(refusal_of(scene_with(25, "wall = \"symmetric\""), {"viscosity.coefficient=-1"}),
-            "--set viscosity.coefficient: viscosity.coefficient: found -1, expected a number of at least 0")
-      << "the rest of the table is checked first";
 }
 
 TEST(SceneRefusals, TextThatIsNotToml) {

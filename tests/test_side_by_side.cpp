@@ -197,8 +197,7 @@ void expect_plain_system(const std::vector<Vec2>& positions) {
       change += glm::dot(state.a_p[i] - state.a_p[j], dW);
     });
     sum = params.m * sum;
-    const Real scale = params.dt / state.rho[i];
-    A_ii.push_back(-(scale * scale) * (glm::dot(sum, sum) + params.m * params.m * squares));
+    A_ii.push_back(-(params.dt * params.dt) * (glm::dot(sum, sum) + params.m * params.m * squares));
     s.push_back(params.source_weight * (params.rho0 - state.rho[i]) - params.dt * (params.m * divergence));
     Ap.push_back((params.dt * params.dt) * (params.m * change));
   }

@@ -47,8 +47,10 @@ TEST(StageTable, EveryFileInCpuIsAStageOrTheBackend) {
 
 /// What is there before the first stage of a step.
 bool carried(Field field) {
-  return std::set{Field::id_in,      Field::x_in,       Field::v_in,  Field::p_in,
-                  Field::C_boundary, Field::x_boundary, Field::sweeps}
+  return std::set{Field::id_in, Field::x_in, Field::v_in, Field::p_in, Field::C_boundary, Field::x_boundary,
+                  Field::sweeps,
+                  // Of a solve: what its first sweep finds there does not count.
+                  Field::solve, Field::q_best, Field::q_before, Field::Ap_before}
       .contains(field);
 }
 
@@ -116,7 +118,7 @@ TEST(Plan, HasEachModelExactlyWhenItIsNeeded) {
     EXPECT_EQ(has(plan, Stage::clamp_density), needs.tait);
     EXPECT_EQ(has(plan, Stage::tait), needs.tait);
     for (const Stage stage : {Stage::diagonal, Stage::source, Stage::warm_start, Stage::pressure_operator,
-                              Stage::pressure_update, Stage::residual}) {
+                              Stage::residual, Stage::stop_test, Stage::pressure_update, Stage::pressure}) {
       EXPECT_EQ(has(plan, stage), needs.linear_system) << info(stage).name;
     }
     for (const Stage stage : plan.stages()) {
@@ -141,7 +143,7 @@ TEST(Plan, AllocatesNothingThatNoStageUses) {
   const FieldSet fields = make_plan(bare).fields();
   for (const Field field : {Field::C_boundary, Field::x_boundary, Field::Psi, Field::wall_density,
                             Field::wall_gradient, Field::wall_gradient_squares, Field::wall_viscosity,
-                            Field::A_ii, Field::s, Field::Ap, Field::residual_sums, Field::residual}) {
+                            Field::A_ii, Field::s, Field::Ap, Field::residual_sums, Field::solve}) {
     EXPECT_FALSE(fields.has(field)) << info(field).name;
   }
   Needs inviscid = bare;
@@ -154,6 +156,13 @@ TEST(Plan, AllocatesNothingThatNoStageUses) {
   Needs akinci = inviscid;
   akinci.pseudo_mass = akinci.linear_system = true;
   akinci.state_equation = false;
+  EXPECT_FALSE(make_plan(akinci).fields().has(Field::q_before)) << "Jacobi looks no further back";
+  EXPECT_FALSE(make_plan(akinci).fields().has(Field::Ap_before));
+  Needs mirror = akinci;
+  mirror.pseudo_mass = false;
+  EXPECT_FALSE(make_plan(mirror).fields().has(Field::wall_gradient_squares)) << "of the thesis's wall only";
+  mirror.thesis_wall = true;
+  EXPECT_TRUE(make_plan(mirror).fields().has(Field::wall_gradient_squares));
   EXPECT_TRUE(make_plan(akinci).fields().has(Field::Psi));
   EXPECT_FALSE(make_plan(akinci).fields().has(Field::wall_gradient_squares)) << "of mirror samples only";
 }

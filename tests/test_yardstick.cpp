@@ -28,7 +28,7 @@ void run_sweep(const Simulation& simulation) {
 
 TEST(YardstickTest, StartsFromTheBackendsPressures) {
   const Simulation simulation = moving_dam();
-  EXPECT_EQ(yardstick_of(simulation).difference(*simulation.backend), 0);
+  EXPECT_LT(yardstick_of(simulation).difference(*simulation.backend), 1e-7);
 }
 
 TEST(YardstickTest, SweepEqualsTheBackends) {
@@ -36,16 +36,15 @@ TEST(YardstickTest, SweepEqualsTheBackends) {
   bench::Yardstick yardstick = yardstick_of(simulation);
   // The system is solved already, so that a sweep would change little: start from no pressure instead.
   std::vector<double> zero(simulation.samples.fluid.size());
-  simulation.backend->upload(Field::p, zero);
   simulation.backend->upload(Field::q, zero);
   bench::Yardstick from_zero = yardstick_of(simulation);
   for (int sweep = 0; sweep < 5; ++sweep) {
     run_sweep(simulation);
     const float error = from_zero.sweep();
     EXPECT_LT(from_zero.difference(*simulation.backend), tolerance) << "sweep " << sweep;
-    std::array<double, 2> sums{};
-    simulation.backend->download(Field::residual, sums);
-    EXPECT_NEAR(static_cast<double>(error), sums[0] / sums[1], tolerance * sums[0] / sums[1]);
+    std::array<double, 4> solve{};
+    simulation.backend->download(Field::solve, solve);
+    EXPECT_NEAR(static_cast<double>(error), solve[0], tolerance * solve[0]);
   }
   EXPECT_GT(yardstick.difference(*simulation.backend), 100 * tolerance);
 }
