@@ -1,7 +1,8 @@
 // [Hunkler 2022], algorithms 5 to 9, and the [WCSPH page]: two boundary models, two viscosities, three
-// methods.
+// methods, two wall terms, two solvers, two stop tests.
 #include "tests/support/brute_force.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -16,7 +17,8 @@ BruteForce::BruteForce(const Scene& scene, const Samples& samples)
       m_(scene.rest_density * h_ * h_),
       rho0_(scene.rest_density),
       dt_(scene.dt),
-      mirror_(scene.boundary_model != BoundaryModel::akinci) {
+      mirror_(scene.boundary_model != BoundaryModel::akinci),
+      symmetric_(mirror_ && scene.method == PressureMethod::iisph && scene.iisph.wall == Wall::symmetric) {
   const size_t n = x.size();
   for (size_t i = 0; i < n; ++i) {
     v.push_back(start_velocity(scene.fluid[samples.fluid_shape[i]], h_, x[i]));
@@ -109,59 +111,105 @@ void BruteForce::compute_pressure_acceleration() {
     a_p[i] = {0, 0};
     const double own = p[i] / (rho[i] * rho[i]);
     for (const auto& j : fluid_neighbours_[i]) a_p[i] -= m_ * (own + p[j.j] / (rho[j.j] * rho[j.j])) * j.dW;
-    const double mirrored = mirror_ ? p[i] / (rho0_ * rho0_) : 0;
+    const double mirrored = symmetric_ ? own : mirror_ ? p[i] / (rho0_ * rho0_) : 0;
     for (const auto& b : boundary_neighbours_[i]) a_p[i] -= boundary_mass[b.j] * (own + mirrored) * b.dW;
   }
 }
 
-void BruteForce::solve() {
+/// m sum_j (u_i - u_j).dW_ij + sum_b m_b u_i.dW_ib, the last twice with the symmetric wall.
+double BruteForce::divergence(const std::vector<Vec2>& u, uint32_t i) const {
+  double sum = 0;
+  for (const auto& j : fluid_neighbours_[i]) sum += m_ * glm::dot(u[i] - u[j.j], j.dW);
+  for (const auto& b : boundary_neighbours_[i])
+    sum += (symmetric_ ? 2 : 1) * boundary_mass[b.j] * glm::dot(u[i], b.dW);
+  return sum;
+}
+
+void BruteForce::set_up_system() {
   for (uint32_t i = 0; i < x.size(); ++i) {
     Vec2 sum{};
-    double squares = 0, divergence = 0;
+    double squares = 0;
     for (const auto& j : fluid_neighbours_[i]) {
       sum += m_ * j.dW;
       squares += glm::dot(m_ * j.dW, m_ * j.dW);
-      divergence += m_ * glm::dot(v_star[i] - v_star[j.j], j.dW);
     }
     for (const auto& b : boundary_neighbours_[i]) {
       const Vec2 gradient = boundary_mass[b.j] * b.dW;
-      sum += gradient;
-      if (mirror_) squares += glm::dot(gradient, gradient);
-      divergence += glm::dot(v_star[i], gradient);
+      sum += (symmetric_ ? 2.0 : 1.0) * gradient;
+      if (mirror_ && !symmetric_) squares += glm::dot(gradient, gradient);
     }
     A_ii[i] = -dt_ * dt_ / (rho[i] * rho[i]) * (glm::dot(sum, sum) + squares);
-    s[i] = scene_.iisph.source_weight * (rho0_ - rho[i]) - dt_ * divergence;
+    s[i] = scene_.iisph.source_weight * (rho0_ - rho[i]) - dt_ * divergence(v_star, i);
     p[i] *= scene_.iisph.warm_start;
   }
-  iterations = 0;
-  double error = 1;
-  while ((error >= scene_.iisph.tolerance || iterations < scene_.iisph.min_iterations) &&
-         iterations < scene_.iisph.max_iterations) {
-    iterate(error);
-    ++iterations;
-  }
-  residual = error;
 }
 
-void BruteForce::iterate(double& error) {
-  compute_pressure_acceleration();
-  double sum = 0;
+/// Of the p whose Ap this is.
+BruteForce::Error BruteForce::error_of(const std::vector<double>& Ap) const {
+  double sum = 0, squares = 0, source = 0;
   uint32_t counted = 0;
   for (uint32_t i = 0; i < x.size(); ++i) {
-    double Ap = 0;
-    for (const auto& j : fluid_neighbours_[i]) Ap += m_ * dt_ * dt_ * glm::dot(a_p[i] - a_p[j.j], j.dW);
-    for (const auto& b : boundary_neighbours_[i])
-      Ap += boundary_mass[b.j] * dt_ * dt_ * glm::dot(a_p[i], b.dW);
     if (A_ii[i] == 0) continue;
-    p[i] += scene_.iisph.omega * (s[i] - Ap) / A_ii[i];
-    if (p[i] < 0) {
-      p[i] = 0;
-    } else {
-      sum += std::abs(Ap - s[i]) / rho0_;
+    const double r = s[i] - Ap[i];
+    if (p[i] + scene_.iisph.omega * r / A_ii[i] >= 0) {
+      sum += std::abs(r) / rho0_;
       ++counted;
     }
+    const double wanted = p[i] > 0 ? r : std::min(r, 0.0);
+    squares += wanted * wanted;
+    source += std::min(s[i], 0.0) * std::min(s[i], 0.0);
   }
-  error = counted == 0 ? 0 : sum / counted;
+  const double relative = squares == 0 ? 0 : std::sqrt(squares) / std::sqrt(source);
+  const double mean = counted == 0 ? 0 : sum / counted;
+  return {scene_.iisph.stop == Stop::residual ? relative : mean, squares, source};
+}
+
+/// The step t of sweep k, the first being 0, from the last changes of p and Ap.
+double BruteForce::step_of(uint32_t k, const std::vector<double>& Ap) const {
+  if (scene_.iisph.solver == Solver::jacobi || k == 0) return scene_.iisph.omega;
+  double SS = 0, SY = 0, YY = 0;
+  for (uint32_t i = 0; i < x.size(); ++i) {
+    if (A_ii[i] == 0) continue;
+    const double rho_squared = rho[i] * rho[i], diagonal = A_ii[i] * rho_squared;
+    const double S = (p[i] - p_before_[i]) / rho_squared, Y = (Ap[i] - Ap_before_[i]) / diagonal;
+    SS += S * S * -diagonal;
+    SY += S * Y * -diagonal;
+    YY += Y * Y * -diagonal;
+  }
+  if (SY <= 0) return scene_.iisph.omega;
+  return std::clamp(k % 2 == 1 ? SS / SY : SY / YY, 0.2, 1000.0);
+}
+
+void BruteForce::solve() {
+  set_up_system();
+  const Iisph& settings = scene_.iisph;
+  std::vector<double> Ap(x.size()), best = p;
+  double smallest = 0;
+  iterations = 0;
+  converged = false;
+  for (bool goes_on = true; goes_on; ++iterations) {
+    compute_pressure_acceleration();
+    for (uint32_t i = 0; i < x.size(); ++i) Ap[i] = dt_ * dt_ * divergence(a_p, i);
+    const auto [e, squares, source_squares] = error_of(Ap);
+    const double t = step_of(iterations, Ap);
+    const bool far_off = iterations == 0 && squares > 100 * source_squares;
+    const bool is_best = iterations == 0 || e < smallest;
+    if (is_best) {
+      smallest = e;
+      best = p;
+    }
+    converged = e < settings.tolerance && !far_off;
+    const uint32_t done = iterations + 1;
+    goes_on = done < settings.max_iterations && (done < settings.min_iterations || !converged);
+    residual = converged ? e : smallest;
+    p_before_ = p;
+    Ap_before_ = Ap;
+    for (uint32_t i = 0; i < x.size(); ++i) {
+      if (A_ii[i] != 0) p[i] = std::max(p[i] + t * (s[i] - Ap[i]) / A_ii[i], 0.0);
+      if (far_off && goes_on) p[i] = 0;
+    }
+    if (!goes_on && !converged && !is_best) p = best;
+  }
 }
 
 void BruteForce::compute_pressure() {

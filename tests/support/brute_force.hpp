@@ -18,6 +18,7 @@ struct BruteForce {
   std::vector<Vec2> a_n, v_star, a_p;
   uint32_t iterations = 0;
   double residual = 0;
+  bool converged = true;
 
   BruteForce(const Scene& scene, const Samples& samples);
   void step();
@@ -38,13 +39,20 @@ struct BruteForce {
   void add_xsph();
   void compute_pressure();
   void compute_pressure_acceleration();
+  double divergence(const std::vector<Vec2>& u, uint32_t i) const;
+  void set_up_system();
+  struct Error {
+    double e, squares, source_squares;
+  };
+  Error error_of(const std::vector<double>& Ap) const;
+  double step_of(uint32_t k, const std::vector<double>& Ap) const;
   void solve();
-  void iterate(double& error);
 
   const Scene& scene_;
   const std::vector<Vec2>& boundary_;
   double h_, H_, m_, rho0_, dt_;
-  bool mirror_;
+  bool mirror_, symmetric_;
+  std::vector<double> p_before_, Ap_before_;
   std::vector<std::vector<Neighbour>> fluid_neighbours_, boundary_neighbours_;
 };
 

@@ -1,0 +1,102 @@
+// Whole runs of the pressure solvers: how many sweeps they need, deep columns, and what pressure they find.
+// scripts/pressure_tables writes the same runs down in docs/pressure_solvers.md.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/summary.hpp"
+#include "tests/support/column.hpp"
+
+namespace sluice::test {
+namespace {
+
+RunStatistics whole_run(const std::string& scene, std::vector<std::string> settings) {
+  Simulation simulation(shipped(scene, settings));
+  const auto steps = static_cast<uint64_t>(std::llround(simulation.scene.duration / simulation.scene.dt));
+  RunStatistics statistics;
+  for (const StepReport& report : simulation.run(steps)) statistics.add(report);
+  EXPECT_EQ(statistics.steps(), steps);
+  EXPECT_EQ(statistics.not_converged(), 0u);
+  EXPECT_EQ(statistics.lost(), 0u);
+  return statistics;
+}
+
+TEST(Sweeps, BarzilaiBorweinTakesAFractionOfJacobisAtNoMoreCompression) {
+  struct Run {
+    const char *scene, *dt;
+    double most;
+  };
+  for (const auto& [scene, dt, most] : {Run{"breaking_dam", "0.04", 4.0}, Run{"breaking_dam", "0.08", 8.0},
+                                        Run{"leaking_dam", "0.02", 8.2}}) {
+    SCOPED_TRACE(scene + std::string(" dt ") + dt);
+    const std::string step = std::string("time.dt=") + dt;
+    const RunStatistics jacobi = whole_run(scene, {step});
+    const RunStatistics ours = whole_run(scene, {step, "pressure.iisph.solver=barzilai-borwein"});
+    EXPECT_LE(ours.iterations_mean(), most);
+    EXPECT_GT(jacobi.iterations_mean(), 2 * ours.iterations_mean());
+    EXPECT_LE(ours.compression_mean(), jacobi.compression_mean());
+  }
+}
+
+TEST(DeepColumns, TheSymmetricWallHoldsThem) {
+  for (const uint32_t depth : {30u, 100u, 200u, 500u}) {
+    for (const double nu : {0.0, 200.0}) {
+      for (const double lambda : {0.4, 0.8}) {
+        expect_held({10, depth, nu, lambda}, sound, 20);
+      }
+    }
+  }
+}
+
+TEST(DeepColumns, WithTheThesissWallEverySolveEnds) {
+  for (const uint32_t depth : {30u, 100u, 200u}) {
+    for (const double nu : {0.0, 200.0}) {
+      for (const double lambda : {0.4, 0.8}) {
+        Simulation simulation(Column{10, depth, nu, lambda}.load({}));
+        for (const StepReport& report : simulation.run(static_cast<uint64_t>(20 / simulation.scene.dt))) {
+          ASSERT_LE(report.iterations, 1000u);
+          ASSERT_TRUE(std::isfinite(report.residual));
+        }
+      }
+    }
+  }
+}
+
+TEST(PressureAtRest, OfATankIsThatOfWater) {
+  const Column tank{100, 100, 200, 0.4};
+  Simulation simulation(tank.load(sound), Precision::single_, 2);
+  PressureProfile profile(simulation.scene);
+  for (int step = 0; step < 1660; ++step) {  // 60 s; a single step's pressure scatters by 100 %
+    simulation.run(1);
+    if (step >= 830) profile.add(simulation.simulator->snapshot());
+  }
+  EXPECT_FALSE(simulation.simulator->failure());
+  EXPECT_LT(profile.error(100), 0.04);
+}
+
+TEST(PressureAtRest, IsQuietInTheModeForPressure) {
+  const auto scatter = [](std::vector<std::string> settings) {
+    settings.insert(settings.end(), sound.begin(), sound.end());
+    Simulation simulation(Column{10, 200, 200, 0.4}.load(settings));
+    double count = 0, sum = 0, squares = 0;
+    for (const StepReport& report : simulation.run(783)) {
+      if (report.step <= 391) continue;
+      const double force = -report.diagnostics.wall_force.y;
+      count += 1;
+      sum += force;
+      squares += force * force;
+    }
+    const double mean = sum / count;
+    const double weight =
+        static_cast<double>(simulation.samples.fluid.size()) * simulation.scene.mass() * 9.81;
+    EXPECT_NEAR(mean, weight, 0.02 * weight);
+    return std::sqrt(squares / count - mean * mean) / mean;
+  };
+  EXPECT_GT(scatter({}), 0.3);
+  EXPECT_LT(scatter({"pressure.iisph.source_weight=0.2", "pressure.iisph.warm_start=1",
+                     "pressure.iisph.stop=residual", "pressure.iisph.tolerance=1e-2"}),
+            0.05);
+}
+
+}  // namespace
+}  // namespace sluice::test
