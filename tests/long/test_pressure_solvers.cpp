@@ -39,7 +39,7 @@ TEST(Sweeps, BarzilaiBorweinTakesAFractionOfJacobisAtNoMoreCompression) {
 }
 
 TEST(DeepColumns, TheSymmetricWallHoldsThem) {
-  for (const uint32_t depth : {30u, 100u, 200u, 500u}) {
+  for (const uint32_t depth : {30u, 100u, 200u}) {
     for (const double nu : {0.0, 200.0}) {
       for (const double lambda : {0.4, 0.8}) {
         expect_held({10, depth, nu, lambda}, sound, 20);
@@ -64,7 +64,7 @@ TEST(DeepColumns, WithTheThesissWallEverySolveEnds) {
 
 TEST(PressureAtRest, OfATankIsThatOfWater) {
   const Column tank{100, 100, 200, 0.4};
-  Simulation simulation(tank.load(sound), Precision::single_, 2);
+  Simulation simulation(tank.load(sound), Precision::single_);
   PressureProfile profile(simulation.scene);
   for (int step = 0; step < 1660; ++step) {  // 60 s; a single step's pressure scatters by 100 %
     simulation.run(1);
