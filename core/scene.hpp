@@ -11,6 +11,8 @@
 #include <variant>
 #include <vector>
 
+#include "core/solver.hpp"
+
 namespace sluice {
 
 using Vec2 = glm::dvec2;
@@ -67,11 +69,6 @@ enum class BoundaryModel { none, mirror, akinci };
 enum class ViscosityModel { none, laplacian, xsph };
 enum class PressureMethod { ssph, wcsph, iisph };
 enum class Colour { speed, density, pressure };
-
-/// How the pressure system is iterated, what its wall term is like, and when it counts as solved.
-enum class Solver : uint32_t { jacobi, barzilai_borwein };
-enum class Wall { thesis, symmetric };
-enum class Stop : uint32_t { density, residual };
 
 struct Ssph {
   double stiffness = 0;  ///< k

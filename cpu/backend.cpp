@@ -11,7 +11,8 @@
 #include <type_traits>
 
 #include "core/error.hpp"
-#include "cpu/stages.hpp"
+#include "cpu/sets.hpp"
+#include "cpu/sweep.hpp"
 
 namespace sluice::cpu {
 namespace {
@@ -60,7 +61,8 @@ void copy_converted(std::span<const From> from, std::span<To> to, Field field) {
 template <class Real>
 class CpuBackend final : public Backend {
  public:
-  explicit CpuBackend(int threads) : threads_(threads) {}
+  CpuBackend(int threads, Instructions instructions)
+      : threads_(threads), stages_(stages_for<Real>(instructions)) {}
 
   void allocate(FieldSet fields, const Sizes& sizes) override {
     state_.sizes = sizes;
@@ -99,15 +101,25 @@ class CpuBackend final : public Backend {
 
   void run(Stage stage) override {
     const auto start = std::chrono::steady_clock::now();
-    switch (stage) {
-#define STAGE(name) \
-  case Stage::name: cpu::name(state_); break;
-      SLUICE_STAGES(STAGE)
-#undef STAGE
-      case Stage::count: throw std::logic_error("not a stage");
+    stages_.all[static_cast<uint32_t>(stage)](state_);
+    time_of(stage) += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  }
+
+  void sweep(const std::vector<Stage>& stages, uint32_t times) override {
+    for (uint32_t k = 0; k < times; ++k) {
+      if (static_cast<Solve>(state_.sweeps[0].y) != Solve::unfinished) return;
+      for (size_t s = 0; s < stages.size(); ++s) {
+        if (stages[s] == Stage::pressure_acceleration && s + 1 < stages.size() &&
+            stages[s + 1] == Stage::pressure_operator) {
+          const auto [seconds, share] =
+              run_both(state_, stages_.pressure_acceleration, stages_.pressure_operator);
+          time_of(stages[s]) += seconds * share;
+          time_of(stages[++s]) += seconds * (1 - share);
+        } else {
+          run(stages[s]);
+        }
+      }
     }
-    seconds_[static_cast<uint32_t>(stage)] +=
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
 
   void swap(Field a, Field b) override {
@@ -138,6 +150,7 @@ class CpuBackend final : public Backend {
       else
         copy_converted(values, scalars<uint32_t>(to), field);
     });
+    if (field == Field::list || field == Field::index) state_.reach = state_.any_reach;
   }
 
   void download(Field field, std::span<double> values) const override {
@@ -171,16 +184,31 @@ class CpuBackend final : public Backend {
  private:
   static constexpr uint64_t particles_per_thread = 1500;
 
+  double& time_of(Stage stage) { return seconds_[static_cast<uint32_t>(stage)]; }
+
   int threads_;
+  const StageFunctions<Real>& stages_;
   State<Real> state_;
   std::array<double, stage_count> seconds_{};
 };
 
 }  // namespace
 
-std::unique_ptr<Backend> make_backend(Precision precision, int threads) {
-  if (precision == Precision::double_) return std::make_unique<CpuBackend<double>>(threads);
-  return std::make_unique<CpuBackend<float>>(threads);
+std::unique_ptr<Backend> make_backend(Precision precision, int threads, Instructions instructions) {
+  if (precision == Precision::double_) return std::make_unique<CpuBackend<double>>(threads, instructions);
+  return std::make_unique<CpuBackend<float>>(threads, instructions);
+}
+
+Instructions widest_instructions() {
+#ifdef SLUICE_WIDE_SETS
+  const auto knows = [](auto... names) { return (... && names); };
+  if (knows(__builtin_cpu_supports("avx512f"), __builtin_cpu_supports("avx512bw"),
+            __builtin_cpu_supports("avx512dq"), __builtin_cpu_supports("avx512vl"),
+            __builtin_cpu_supports("bmi2")))
+    return Instructions::avx512;
+  if (knows(__builtin_cpu_supports("avx2"), __builtin_cpu_supports("bmi2"))) return Instructions::avx2;
+#endif
+  return Instructions::baseline;
 }
 
 int hardware_threads() { return omp_get_num_procs(); }

@@ -8,8 +8,15 @@
 
 namespace sluice::cpu {
 
-/// `threads` >= 1. Results do not depend on it.
-std::unique_ptr<Backend> make_backend(Precision precision, int threads);
+/// What a processor may know, each beyond what stands before it.
+enum class Instructions { baseline, avx2, avx512 };
+
+/// The widest that this processor knows, and this program was built for.
+Instructions widest_instructions();
+
+/// `threads` >= 1. Results depend neither on it nor on the instructions.
+std::unique_ptr<Backend> make_backend(Precision precision, int threads,
+                                      Instructions instructions = widest_instructions());
 
 /// Threads this machine runs at once.
 int hardware_threads();

@@ -10,14 +10,14 @@
 #include "cpu/kernel.hpp"
 #include "cpu/stages.hpp"
 
-namespace sluice::cpu {
+namespace sluice::cpu::SLUICE_SET {
 
 template <class Real>
 void boundary(State<Real>& state) {
-  const ParamsOf<Real>& params = state.params;
+  const ParamsOf<Real> params = state.params;  // a copy, which no store can change
   const bool viscous = state.needs.laplacian, pseudo_mass = state.needs.pseudo_mass;
   const bool needs_squares = state.needs.linear_system && state.needs.thesis_wall;
-  for_each_index(params.n, state.threads, [&](uint32_t i) {
+  for_each_index(params.n, state.threads, [&](size_t i) {
     const glm::vec<2, Real> x_i = state.x[i];
     Real W{}, squares{};
     glm::vec<2, Real> gradient{};
@@ -46,6 +46,6 @@ void boundary(State<Real>& state) {
   });
 }
 
-}  // namespace sluice::cpu
+}  // namespace sluice::cpu::SLUICE_SET
 
 SLUICE_INSTANTIATE_STAGE(boundary)

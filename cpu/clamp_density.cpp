@@ -3,15 +3,15 @@
 #include "core/larger.hpp"
 #include "cpu/stages.hpp"
 
-namespace sluice::cpu {
+namespace sluice::cpu::SLUICE_SET {
 
 template <class Real>
 void clamp_density(State<Real>& state) {
   const Real rho0 = state.params.rho0;
   for_each_index(state.params.n, state.threads,
-                 [&](uint32_t i) { state.rho[i] = at_least(rho0, state.rho[i]); });
+                 [&](size_t i) { state.rho[i] = at_least(rho0, state.rho[i]); });
 }
 
-}  // namespace sluice::cpu
+}  // namespace sluice::cpu::SLUICE_SET
 
 SLUICE_INSTANTIATE_STAGE(clamp_density)

@@ -4,7 +4,7 @@
 #include "cpu/stages.hpp"
 #include "cpu/sums.hpp"
 
-namespace sluice::cpu {
+namespace sluice::cpu::SLUICE_SET {
 
 template <class Real>
 void density(State<Real>& state) {
@@ -14,11 +14,13 @@ void density(State<Real>& state) {
     const auto x_ij = i(state.x) - j(state.x);
     return std::array{kernel(params, square_root(dot(x_ij, x_ij)))};
   };
-  sum_over_neighbours(state, std::array{kernel(params, Real(0))}, term, [&](uint32_t i, auto sum) {
-    state.rho[i] = params.m * sum[0] + (walls ? state.wall_density[i] : Real(0));
+  sum_over_neighbours(state, std::array{kernel(params, Real(0))}, term, [&](auto i, auto sums) {
+    auto rho = params.m * sums[0];
+    if (walls) rho += i(state.wall_density);
+    i.set(state.rho, rho);
   });
 }
 
-}  // namespace sluice::cpu
+}  // namespace sluice::cpu::SLUICE_SET
 
 SLUICE_INSTANTIATE_STAGE(density)

@@ -2,43 +2,51 @@
 // squared, position and force on the walls, the number of lost particles, and the largest compression and
 // speed squared. Densities and pressures are those of the step, positions and velocities those at its end.
 // The force on the walls is minus the boundary term of the pressure force.
-#include "cpu/fold.hpp"
+#include "cpu/chunk_sums.hpp"
+#include "cpu/kernel.hpp"
 #include "cpu/stages.hpp"
+#include "cpu/wall.hpp"
 
-namespace sluice::cpu {
+namespace sluice::cpu::SLUICE_SET {
+namespace {
+
+template <class Real>
+void shares_of(const State<Real>& state, const auto& i, size_t place, auto& shares) {
+  const ParamsOf<Real>& params = state.params;
+  const auto x = i(state.x_in), v = i(state.v_in);
+  const auto rho = i(state.rho);
+  const auto compression = positive_part((rho - params.rho0) / params.rho0);
+  const auto speed_squared = dot(v, v);
+  shares.set(Total::density, place, rho);
+  shares.set(Total::compression, place, compression);
+  shares.set(Total::speed_squared, place, speed_squared);
+  shares.set(Total::x, place, x.x);
+  shares.set(Total::y, place, x.y);
+  if (state.needs.boundary) {
+    const auto pressure = wall_pressure_term(params, i(state.q), rho);
+    const auto force = (params.m * pressure) * i(state.wall_gradient);
+    shares.set(Total::wall_force_x, place, force.x);
+    shares.set(Total::wall_force_y, place, force.y);
+  }
+  const auto is_lost =
+      (x.x < params.domain_min.x) | (x.x > params.domain_max.x) | (x.y < params.domain_min.y);
+  shares.set(Total::lost, place, those(is_lost, broadcast(Real(1))));
+  shares.set(Total::max_compression, place, compression);
+  shares.set(Total::max_speed_squared, place, speed_squared);
+}
+
+}  // namespace
 
 template <class Real>
 void diagnostics(State<Real>& state) {
-  const ParamsOf<Real>& params = state.params;
-  const bool walls = state.needs.boundary;
-  const uint64_t chunks = state.sizes.chunks();
-  for_each_chunk(params.n, state.threads, [&](uint32_t chunk, uint32_t first, uint32_t last) {
-    std::array<Real, total_count> sums{};
-    const auto at = [&](Total total) -> Real& { return sums[static_cast<uint32_t>(total)]; };
-    for (uint32_t i = first; i < last; ++i) {
-      const glm::vec<2, Real> x = state.x_in[i], v = state.v_in[i];
-      const Real compression = at_least(Real(0), (state.rho[i] - params.rho0) / params.rho0);
-      const Real speed_squared = glm::dot(v, v);
-      at(Total::density) += state.rho[i];
-      at(Total::compression) += compression;
-      at(Total::speed_squared) += speed_squared;
-      at(Total::x) += x.x;
-      at(Total::y) += x.y;
-      if (walls) {
-        const Real pressure = wall_pressure_term(params, state.q[i], state.rho[i]);
-        const glm::vec<2, Real> force = (params.m * pressure) * state.wall_gradient[i];
-        at(Total::wall_force_x) += force.x;
-        at(Total::wall_force_y) += force.y;
-      }
-      if (is_lost(params, x)) at(Total::lost) += Real(1);
-      at(Total::max_compression) = larger(at(Total::max_compression), compression);
-      at(Total::max_speed_squared) = larger(at(Total::max_speed_squared), speed_squared);
-    }
-    for (uint32_t total = 0; total < total_count; ++total)
-      state.diagnostic_sums[total * chunks + chunk] = sums[total];
-  });
+  sum_over_chunks<total_count>(
+      state, state.diagnostic_sums,
+      [&](const auto& i, size_t place, auto& shares) { shares_of(state, i, place, shares); },
+      [](uint32_t total, Real sum, Real share) {
+        return total < first_max_total ? sum + share : larger(sum, share);
+      });
 }
 
-}  // namespace sluice::cpu
+}  // namespace sluice::cpu::SLUICE_SET
 
 SLUICE_INSTANTIATE_STAGE(diagnostics)

@@ -9,22 +9,22 @@
 #include "cpu/stages.hpp"
 #include "cpu/sums.hpp"
 
-namespace sluice::cpu {
+namespace sluice::cpu::SLUICE_SET {
 
 template <class Real>
 void diagonal(State<Real>& state) {
   const ParamsOf<Real>& params = state.params;
   const bool walls = state.needs.boundary, thesis_wall = state.needs.thesis_wall;
   const auto term = [](auto, auto, auto dW) { return std::array{dW.x, dW.y, dot(dW, dW)}; };
-  sum_over_neighbours(state, std::array<Real, 3>{}, term, [&](uint32_t i, auto sums) {
-    glm::vec<2, Real> sum = params.m * glm::vec<2, Real>(sums[0], sums[1]);
-    Real squares = params.m * params.m * sums[2];
-    if (walls) sum += state.wall_gradient[i];
-    if (thesis_wall) squares += state.wall_gradient_squares[i];
-    state.A_ii[i] = -(params.dt * params.dt) * (glm::dot(sum, sum) + squares);
+  sum_over_neighbours(state, std::array<Real, 3>{}, term, [&](auto i, auto sums) {
+    auto sum = params.m * Pair{sums[0], sums[1]};
+    auto squares = params.m * params.m * sums[2];
+    if (walls) sum += i(state.wall_gradient);
+    if (thesis_wall) squares += i(state.wall_gradient_squares);
+    i.set(state.A_ii, -(params.dt * params.dt) * (dot(sum, sum) + squares));
   });
 }
 
-}  // namespace sluice::cpu
+}  // namespace sluice::cpu::SLUICE_SET
 
 SLUICE_INSTANTIATE_STAGE(diagonal)

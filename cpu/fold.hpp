@@ -2,12 +2,9 @@
 // result does not depend on threads, and a machine that works group by group gets the same bits.
 #pragma once
 
-#include <cstdint>
+#include "cpu/instructions.hpp"
 
-#include "core/fields.hpp"
-#include "core/larger.hpp"
-
-namespace sluice::cpu {
+namespace sluice::cpu::SLUICE_SET {
 
 /// Folds values[0 .. count) with `join`.
 template <class Real, class Join>
@@ -22,4 +19,4 @@ Real fold(const Real* values, uint64_t count, Join join) {
   return result;
 }
 
-}  // namespace sluice::cpu
+}  // namespace sluice::cpu::SLUICE_SET

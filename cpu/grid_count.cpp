@@ -5,16 +5,16 @@
 
 #include "cpu/stages.hpp"
 
-namespace sluice::cpu {
+namespace sluice::cpu::SLUICE_SET {
 
 template <class Real>
 void grid_count(State<Real>& state) {
   for_each_index(state.params.n, state.threads,
-                 [&](uint32_t i) { state.cell[i] = cell_of(state.params, state.x_in[i]); });
+                 [&](size_t i) { state.cell[i] = cell_of(state.params, state.x_in[i]); });
   std::fill(state.C.begin(), state.C.end(), 0u);
   for (uint32_t i = 0; i < state.params.n; ++i) ++state.C[state.cell[i]];
 }
 
-}  // namespace sluice::cpu
+}  // namespace sluice::cpu::SLUICE_SET
 
 SLUICE_INSTANTIATE_STAGE(grid_count)

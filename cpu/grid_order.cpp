@@ -3,11 +3,11 @@
 // that of insertion.
 #include "cpu/stages.hpp"
 
-namespace sluice::cpu {
+namespace sluice::cpu::SLUICE_SET {
 
 template <class Real>
 void grid_order(State<Real>& state) {
-  for_each_index(state.sizes.cells, state.threads, [&](uint32_t cell) {
+  for_each_index(state.sizes.cells, state.threads, [&](size_t cell) {
     const uint32_t first = state.C[cell], last = state.C[cell + 1];
     for (uint32_t place = first + 1; place < last; ++place) {
       const uint32_t particle = state.L[place];
@@ -21,6 +21,6 @@ void grid_order(State<Real>& state) {
   });
 }
 
-}  // namespace sluice::cpu
+}  // namespace sluice::cpu::SLUICE_SET
 
 SLUICE_INSTANTIATE_STAGE(grid_order)

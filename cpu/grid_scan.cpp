@@ -3,13 +3,13 @@
 
 #include "cpu/stages.hpp"
 
-namespace sluice::cpu {
+namespace sluice::cpu::SLUICE_SET {
 
 template <class Real>
 void grid_scan(State<Real>& state) {
   std::partial_sum(state.C.begin(), state.C.end(), state.C.begin());
 }
 
-}  // namespace sluice::cpu
+}  // namespace sluice::cpu::SLUICE_SET
 
 SLUICE_INSTANTIATE_STAGE(grid_scan)

@@ -3,13 +3,13 @@
 // that those of a cell keep their order, which leaves little for grid_order to do.
 #include "cpu/stages.hpp"
 
-namespace sluice::cpu {
+namespace sluice::cpu::SLUICE_SET {
 
 template <class Real>
 void grid_scatter(State<Real>& state) {
   for (uint32_t i = state.params.n; i-- > 0;) state.L[--state.C[state.cell[i]]] = i;
 }
 
-}  // namespace sluice::cpu
+}  // namespace sluice::cpu::SLUICE_SET
 
 SLUICE_INSTANTIATE_STAGE(grid_scatter)

@@ -5,14 +5,14 @@
 // Distances are reals, or vectors of reals.
 #pragma once
 
-#include "core/params.hpp"
+#include "cpu/instructions.hpp"
 
-namespace sluice::cpu {
+namespace sluice::cpu::SLUICE_SET {
 
-/// max(value, 0).
+/// max(value, 0), which keeps a NaN.
 template <class Value>
 Value positive_part(Value value) {
-  return value < Value{} ? Value{} : value;
+  return Value{} >= value ? Value{} : value;
 }
 
 /// W at distance r; 1/length^2.
@@ -40,4 +40,4 @@ glm::vec<2, Real> kernel_gradient(const ParamsOf<Real>& params, glm::vec<2, Real
   return kernel_slope(params, r) * x_ij;
 }
 
-}  // namespace sluice::cpu
+}  // namespace sluice::cpu::SLUICE_SET

@@ -11,16 +11,19 @@
 #include "cpu/search.hpp"
 #include "cpu/stages.hpp"
 
-namespace sluice::cpu {
+namespace sluice::cpu::SLUICE_SET {
 namespace {
 
 /// Candidates per particle up to which those of a slice are put aside in one go; where more of them crowd,
 /// they are searched one by one.
 constexpr uint32_t most_candidates = 480;
 
-/// Neighbours of the particles of a slice, lane by lane; after them stand others, never a number of no
-/// particle.
-using Found = std::array<std::array<uint32_t, most_candidates + block_width>, slice_width>;
+struct Found {
+  /// Neighbours of the particles of a slice, lane by lane; after them stand others, never a number of no
+  /// particle.
+  std::array<std::array<uint32_t, most_candidates + block_width>, slice_width> lanes;
+  uint32_t reach;  ///< of all slices so far: numbers of neighbours differ by no more
+};
 
 template <class Real>
 Candidates candidates_of(const State<Real>& state, uint32_t i) {
@@ -53,20 +56,20 @@ uint32_t search_crowd(State<Real>& state, const Candidates& candidates, uint64_t
 /// Makes the lists of the slice of particle `first`, from `cursor` on if there is room for them before `end`;
 /// returns the length of the longest.
 template <class Real>
-uint32_t search_slice(State<Real>& state, Find<Real> find, Found& found, uint32_t first, uint64_t cursor,
-                      uint64_t end) {
+uint32_t search_slice(State<Real>& state, Found& found, uint32_t first, uint64_t cursor, uint64_t end) {
   const uint32_t n = state.params.n, lanes = std::min(slice_width, n - first);
   std::array<Candidates, slice_width> candidates;
   bool crowd = n < block_width;
   for (uint32_t lane = 0; lane < lanes; ++lane) {
-    candidates[lane] = candidates_of(state, first + lane);
+    const auto& [i, rows] = candidates[lane] = candidates_of(state, first + lane);
+    found.reach = std::max({found.reach, i - rows.front().x, rows.back().y - i});
     crowd |= candidates[lane].count() > most_candidates;
   }
   std::array<uint32_t, slice_width> counts{};
   for (uint32_t lane = 0; lane < lanes; ++lane) {
-    counts[lane] =
-        crowd ? search_crowd(state, candidates[lane], cursor + lane, end)
-              : find(state.x.data(), n, state.params.support_squared, candidates[lane], found[lane].data());
+    counts[lane] = crowd ? search_crowd(state, candidates[lane], cursor + lane, end)
+                         : find(state.x.data(), n, state.params.support_squared, candidates[lane],
+                                found.lanes[lane].data());
     state.list[first + lane] = {static_cast<uint32_t>(cursor + lane), counts[lane]};
   }
   const uint32_t longest = *std::max_element(counts.begin(), counts.end());
@@ -75,7 +78,7 @@ uint32_t search_slice(State<Real>& state, Find<Real> find, Found& found, uint32_
     uint32_t* index = &state.index[cursor + uint64_t{slice_width} * k];
     for (uint32_t lane = 0; lane < slice_width; ++lane) {
       if (!crowd)
-        index[lane] = found[lane][k];
+        index[lane] = found.lanes[lane][k];
       else if (k >= counts[lane])
         index[lane] = first;
     }
@@ -90,9 +93,11 @@ void neighbours(State<Real>& state) {
   const uint32_t n = state.params.n;
   const uint64_t slices = (n + slice_width - 1) / slice_width;
   const uint64_t parts = std::min<uint64_t>(static_cast<uint64_t>(state.threads), slices);
-  const Find<Real> find = fastest_find<Real>();
   uint64_t longest_part = 0;
-#pragma omp parallel for num_threads(static_cast <int>(parts)) schedule(static) reduction(max : longest_part)
+  uint32_t reach = 0;
+#pragma omp parallel for num_threads(static_cast <int>(parts)) schedule(static) \
+    reduction(max                                                               \
+              : longest_part, reach)
   for (uint64_t part = 0; part < parts; ++part) {
     const auto share = [&](uint64_t of, uint64_t p) { return of * p / parts; };
     const uint64_t begin = share(state.sizes.list / slice_width, part) * slice_width;
@@ -101,16 +106,18 @@ void neighbours(State<Real>& state) {
     Found found{};
     for (uint64_t slice = share(slices, part); slice < share(slices, part + 1); ++slice) {
       const uint32_t longest =
-          search_slice(state, find, found, static_cast<uint32_t>(slice * slice_width), cursor, end);
+          search_slice(state, found, static_cast<uint32_t>(slice * slice_width), cursor, end);
       cursor += uint64_t{slice_width} * longest;
     }
     longest_part = std::max(longest_part, cursor - begin);
+    reach = std::max(reach, found.reach);
   }
+  state.reach = reach;
   const uint64_t needed = longest_part * parts;
   state.list_needed[0] = static_cast<uint32_t>(std::min<uint64_t>(needed, list_beyond_bounds));
-  if (needed > state.sizes.list) for_each_index(n, state.threads, [&](uint32_t i) { state.list[i].y = 0; });
+  if (needed > state.sizes.list) for_each_index(n, state.threads, [&](size_t i) { state.list[i].y = 0; });
 }
 
-}  // namespace sluice::cpu
+}  // namespace sluice::cpu::SLUICE_SET
 
 SLUICE_INSTANTIATE_STAGE(neighbours)

@@ -1,14 +1,14 @@
 // Velocity without pressure: v* = v + dt a_n [Hunkler 2022, algorithm 9].
 #include "cpu/stages.hpp"
 
-namespace sluice::cpu {
+namespace sluice::cpu::SLUICE_SET {
 
 template <class Real>
 void predict(State<Real>& state) {
   for_each_index(state.params.n, state.threads,
-                 [&](uint32_t i) { state.v_star[i] = state.v[i] + state.params.dt * state.a_n[i]; });
+                 [&](size_t i) { state.v_star[i] = state.v[i] + state.params.dt * state.a_n[i]; });
 }
 
-}  // namespace sluice::cpu
+}  // namespace sluice::cpu::SLUICE_SET
 
 SLUICE_INSTANTIATE_STAGE(predict)

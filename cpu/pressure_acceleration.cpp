@@ -6,24 +6,25 @@
 // too, and B_i counts twice.
 #include "cpu/stages.hpp"
 #include "cpu/sums.hpp"
+#include "cpu/wall.hpp"
 
-namespace sluice::cpu {
+namespace sluice::cpu::SLUICE_SET {
 
 template <class Real>
-void pressure_acceleration(State<Real>& state) {
+void pressure_acceleration(State<Real>& state, Range part) {
   const ParamsOf<Real>& params = state.params;
   const bool walls = state.needs.boundary;
   const auto term = [&](auto i, auto j, auto dW) {
     const auto q = i(state.q) + j(state.q);
     return std::array{q * dW.x, q * dW.y};
   };
-  sum_over_neighbours(state, std::array<Real, 2>{}, term, [&](uint32_t i, auto sums) {
-    glm::vec<2, Real> sum = -(params.m * glm::vec<2, Real>(sums[0], sums[1]));
-    if (walls) sum -= wall_pressure_term(params, state.q[i], state.rho[i]) * state.wall_gradient[i];
-    state.a_p[i] = sum;
+  sum_over_neighbours(state, part, std::array<Real, 2>{}, term, [&](auto i, auto sums) {
+    auto sum = -(params.m * Pair{sums[0], sums[1]});
+    if (walls) sum -= wall_pressure_term(params, i(state.q), i(state.rho)) * i(state.wall_gradient);
+    i.set(state.a_p, sum);
   });
 }
 
-}  // namespace sluice::cpu
+}  // namespace sluice::cpu::SLUICE_SET
 
-SLUICE_INSTANTIATE_STAGE(pressure_acceleration)
+SLUICE_INSTANTIATE_PARTWISE_STAGE(pressure_acceleration)

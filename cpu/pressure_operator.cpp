@@ -3,20 +3,20 @@
 #include "cpu/stages.hpp"
 #include "cpu/sums.hpp"
 
-namespace sluice::cpu {
+namespace sluice::cpu::SLUICE_SET {
 
 template <class Real>
-void pressure_operator(State<Real>& state) {
+void pressure_operator(State<Real>& state, Range part) {
   const ParamsOf<Real>& params = state.params;
   const bool walls = state.needs.boundary;
   const auto term = [&](auto i, auto j, auto dW) { return std::array{dot(i(state.a_p) - j(state.a_p), dW)}; };
-  sum_over_neighbours(state, std::array<Real, 1>{}, term, [&](uint32_t i, auto sums) {
-    Real sum = params.m * sums[0];
-    if (walls) sum += glm::dot(state.a_p[i], state.wall_gradient[i]);
-    state.Ap[i] = (params.dt * params.dt) * sum;
+  sum_over_neighbours(state, part, std::array<Real, 1>{}, term, [&](auto i, auto sums) {
+    auto sum = params.m * sums[0];
+    if (walls) sum += dot(i(state.a_p), i(state.wall_gradient));
+    i.set(state.Ap, (params.dt * params.dt) * sum);
   });
 }
 
-}  // namespace sluice::cpu
+}  // namespace sluice::cpu::SLUICE_SET
 
-SLUICE_INSTANTIATE_STAGE(pressure_operator)
+SLUICE_INSTANTIATE_PARTWISE_STAGE(pressure_operator)

@@ -5,12 +5,12 @@
 #include "cpu/kernel.hpp"
 #include "cpu/stages.hpp"
 
-namespace sluice::cpu {
+namespace sluice::cpu::SLUICE_SET {
 
 template <class Real>
 void pseudo_mass(State<Real>& state) {
   const ParamsOf<Real>& params = state.params;
-  for_each_index(state.sizes.boundary, state.threads, [&](uint32_t b) {
+  for_each_index(state.sizes.boundary, state.threads, [&](size_t b) {
     const glm::vec<2, Real> x_b = state.x_boundary[b];
     Real sum{};
     for_each_row(state.C_boundary, params.columns, cell_of(params, x_b), [&](uint32_t first, uint32_t last) {
@@ -24,6 +24,6 @@ void pseudo_mass(State<Real>& state) {
   });
 }
 
-}  // namespace sluice::cpu
+}  // namespace sluice::cpu::SLUICE_SET
 
 SLUICE_INSTANTIATE_STAGE(pseudo_mass)

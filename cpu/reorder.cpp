@@ -1,11 +1,11 @@
 // Gathers ids, positions and velocities in cell order, so that neighbours in space are neighbours in memory.
 #include "cpu/stages.hpp"
 
-namespace sluice::cpu {
+namespace sluice::cpu::SLUICE_SET {
 
 template <class Real>
 void reorder(State<Real>& state) {
-  for_each_index(state.params.n, state.threads, [&](uint32_t i) {
+  for_each_index(state.params.n, state.threads, [&](size_t i) {
     const uint32_t from = state.L[i];
     state.id[i] = state.id_in[from];
     state.x[i] = state.x_in[from];
@@ -13,6 +13,6 @@ void reorder(State<Real>& state) {
   });
 }
 
-}  // namespace sluice::cpu
+}  // namespace sluice::cpu::SLUICE_SET
 
 SLUICE_INSTANTIATE_STAGE(reorder)

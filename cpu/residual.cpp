@@ -7,42 +7,40 @@
 // system is symmetric [Barzilai & Borwein 1988]:
 //   SS = S'S    SY = S'Y    YY = Y'Y
 // A particle with A_ii = 0 (nobody in reach) has no part in any.
-#include <array>
-#include <cmath>
-
+#include "cpu/chunk_sums.hpp"
 #include "cpu/stages.hpp"
 
-namespace sluice::cpu {
+namespace sluice::cpu::SLUICE_SET {
+namespace {
+
+template <class Real>
+void shares_of(const State<Real>& state, const auto& i, size_t place, auto& shares) {
+  const auto A = i(state.A_ii), q = i(state.q), s = i(state.s), Ap = i(state.Ap);
+  const auto zero = broadcast(Real(0));
+  const auto counts = A != zero;
+  const auto r = s - Ap;
+  const auto stays = counts & ~(q + state.params.omega * r / A < zero);
+  shares.set(ResidualSum::error, place, those(stays, r < zero ? -r : r));
+  shares.set(ResidualSum::counted, place, those(stays, broadcast(Real(1))));
+  shares.set(ResidualSum::squares, place, those(counts & ((q > zero) | ~(r > zero)), r * r));
+  shares.set(ResidualSum::source_squares, place, those(counts & (s < zero), s * s));
+  if (!state.needs.barzilai_borwein) return;
+  const auto S = q - i(state.q_before), change = i(state.Ap_before) - Ap;  // -A_ii Y
+  shares.set(ResidualSum::SS, place, those(counts, -(S * S * A)));
+  shares.set(ResidualSum::SY, place, those(counts, S * change));
+  shares.set(ResidualSum::YY, place, those(counts, -(change * change / A)));
+}
+
+}  // namespace
 
 template <class Real>
 void residual(State<Real>& state) {
-  const ParamsOf<Real>& params = state.params;
-  const bool barzilai_borwein = state.needs.barzilai_borwein;
-  const uint64_t chunks = state.sizes.chunks();
-  for_each_chunk(params.n, state.threads, [&](uint32_t chunk, uint32_t first, uint32_t last) {
-    std::array<Real, residual_sum_count> sums{};
-    const auto at = [&](ResidualSum sum) -> Real& { return sums[static_cast<uint32_t>(sum)]; };
-    for (uint32_t i = first; i < last; ++i) {
-      const Real A = state.A_ii[i], q = state.q[i], s = state.s[i], Ap = state.Ap[i];
-      if (A == Real(0)) continue;
-      const Real r = s - Ap;
-      if (!(q + params.omega * r / A < Real(0))) {
-        at(ResidualSum::error) += std::abs(r);
-        at(ResidualSum::counted) += Real(1);
-      }
-      if (q > Real(0) || !(r > Real(0))) at(ResidualSum::squares) += r * r;
-      if (s < Real(0)) at(ResidualSum::source_squares) += s * s;
-      if (!barzilai_borwein) continue;
-      const Real S = q - state.q_before[i], change = state.Ap_before[i] - Ap;  // -A_ii Y
-      at(ResidualSum::SS) -= S * S * A;
-      at(ResidualSum::SY) += S * change;
-      at(ResidualSum::YY) -= change * change / A;
-    }
-    for (uint32_t sum = 0; sum < residual_sum_count; ++sum)
-      state.residual_sums[sum * chunks + chunk] = sums[sum];
-  });
+  sum_over_chunks<residual_sum_count>(
+      state, state.residual_sums,
+      [&](const auto& i, size_t place, auto& shares) { shares_of(state, i, place, shares); },
+      [](uint32_t, Real sum, Real share) { return sum + share; });
 }
 
-}  // namespace sluice::cpu
+}  // namespace sluice::cpu::SLUICE_SET
 
 SLUICE_INSTANTIATE_STAGE(residual)

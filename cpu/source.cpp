@@ -4,7 +4,7 @@
 #include "cpu/stages.hpp"
 #include "cpu/sums.hpp"
 
-namespace sluice::cpu {
+namespace sluice::cpu::SLUICE_SET {
 
 template <class Real>
 void source(State<Real>& state) {
@@ -13,13 +13,13 @@ void source(State<Real>& state) {
   const auto term = [&](auto i, auto j, auto dW) {
     return std::array{dot(i(state.v_star) - j(state.v_star), dW)};
   };
-  sum_over_neighbours(state, std::array<Real, 1>{}, term, [&](uint32_t i, auto sums) {
-    Real sum = params.m * sums[0];
-    if (walls) sum += glm::dot(state.v_star[i], state.wall_gradient[i]);
-    state.s[i] = params.source_weight * (params.rho0 - state.rho[i]) - params.dt * sum;
+  sum_over_neighbours(state, std::array<Real, 1>{}, term, [&](auto i, auto sums) {
+    auto sum = params.m * sums[0];
+    if (walls) sum += dot(i(state.v_star), i(state.wall_gradient));
+    i.set(state.s, params.source_weight * (params.rho0 - i(state.rho)) - params.dt * sum);
   });
 }
 
-}  // namespace sluice::cpu
+}  // namespace sluice::cpu::SLUICE_SET
 
 SLUICE_INSTANTIATE_STAGE(source)

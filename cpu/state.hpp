@@ -1,4 +1,4 @@
-// What the CPU stages work on: constants, fields, and the two ways of walking over them.
+// What the CPU stages work on: constants and fields.
 #pragma once
 
 #include <algorithm>
@@ -34,6 +34,23 @@ struct ElementOf<Real, Type::uvec2> {
   using element = glm::uvec2;
 };
 
+/// Stages that can be run part by part: those of a pressure sweep that walk over the neighbour list.
+#define SLUICE_PARTWISE_STAGES(STAGE) STAGE(pressure_acceleration) STAGE(pressure_operator)
+
+/// Particles first to last - 1. Parts of a whole begin with a slice of the neighbour list.
+struct Range {
+  size_t first, last;
+};
+
+/// The share of `thread` when `threads` divide `n` particles.
+inline Range share_of(size_t n, int thread, int threads) {
+  const size_t chunks = (n + chunk_width - 1) / chunk_width;
+  const auto begin = [&](int t) {
+    return std::min(n, chunks * static_cast<size_t>(t) / static_cast<size_t>(threads) * chunk_width);
+  };
+  return {begin(thread), begin(thread + 1)};
+}
+
 template <class Real>
 struct State {
   using Vec = glm::vec<2, Real>;
@@ -42,42 +59,13 @@ struct State {
   Needs needs;
   Sizes sizes;
   int threads = 1;  ///< the same for every stage: changing the size of a team costs more than a small stage
+  size_t reach = any_reach;  ///< numbers of neighbours differ by no more; `neighbours` finds it
+  static constexpr size_t any_reach = ~uint32_t{0};
 
 #define FIELD(name, type, length, unit, meaning) \
   std::vector<typename ElementOf<Real, Type::type>::element> name;
   SLUICE_FIELDS(FIELD)
 #undef FIELD
 };
-
-/// What the pressure force has at the boundary in place of q_i + q_j: q_i + p_i/rho0^2 where samples mirror
-/// the pressure.
-template <class Real>
-Real wall_pressure_term(const ParamsOf<Real>& params, Real q, Real rho) {
-  return q + q * (rho * rho) * params.wall_pressure;
-}
-
-/// Calls f(i) for all i < n on `threads` threads. Who runs which i does not matter: f writes only what
-/// belongs to i.
-template <class F>
-void for_each_index(uint64_t n, int threads, F&& f) {
-#pragma omp parallel for num_threads(threads) schedule(static)
-  for (int64_t i = 0; i < static_cast<int64_t>(n); ++i) f(static_cast<uint32_t>(i));
-}
-
-/// Calls f(chunk, first, last) for all chunks of `n` particles; the chunk's are first to last - 1.
-template <class F>
-void for_each_chunk(uint32_t n, int threads, F&& f) {
-  const auto call = [&](uint32_t chunk) {
-    f(chunk, chunk * chunk_width, std::min((chunk + 1) * chunk_width, n));
-  };
-  for_each_index((uint64_t{n} + chunk_width - 1) / chunk_width, threads, call);
-}
-
-/// Calls f(first, last) for the three ranges of places in L, one per row of cells, that hold all particles in
-/// reach of a position in `cell`; `C` gives the first place of each cell.
-template <class F>
-void for_each_row(const std::vector<uint32_t>& C, uint32_t columns, uint32_t cell, F&& f) {
-  for (const uint32_t middle : {cell - columns, cell, cell + columns}) f(C[middle - 1], C[middle + 2]);
-}
 
 }  // namespace sluice::cpu

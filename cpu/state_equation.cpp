@@ -3,18 +3,18 @@
 #include "core/larger.hpp"
 #include "cpu/stages.hpp"
 
-namespace sluice::cpu {
+namespace sluice::cpu::SLUICE_SET {
 
 template <class Real>
 void state_equation(State<Real>& state) {
   const ParamsOf<Real>& params = state.params;
-  for_each_index(params.n, state.threads, [&](uint32_t i) {
+  for_each_index(params.n, state.threads, [&](size_t i) {
     const Real rho = state.rho[i];
     state.p[i] = at_least(Real(0), params.k * ((rho - params.rho0) / params.rho0));
     state.q[i] = state.p[i] / (rho * rho);
   });
 }
 
-}  // namespace sluice::cpu
+}  // namespace sluice::cpu::SLUICE_SET
 
 SLUICE_INSTANTIATE_STAGE(state_equation)

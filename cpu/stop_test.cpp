@@ -8,13 +8,10 @@
 // division decides when a solve ends.
 //   t = omega                                    in the first sweep, and always of the Jacobi iteration
 //   t = SS/SY or SY/YY in turns                  [Barzilai & Borwein 1988; Dai & Fletcher 2005], if SY > 0
-#include <cmath>
-
-#include "core/scene.hpp"
 #include "cpu/fold.hpp"
 #include "cpu/stages.hpp"
 
-namespace sluice::cpu {
+namespace sluice::cpu::SLUICE_SET {
 namespace {
 
 /// Bounds of a Barzilai-Borwein step.
@@ -64,6 +61,6 @@ void stop_test(State<Real>& state) {
   state.solve[0] = {e, smallest, t, Real(goes_back ? -1 : far_off && goes_on ? 0 : 1)};
 }
 
-}  // namespace sluice::cpu
+}  // namespace sluice::cpu::SLUICE_SET
 
 SLUICE_INSTANTIATE_STAGE(stop_test)

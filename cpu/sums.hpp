@@ -2,34 +2,46 @@
 // order of its own list, with the bits that one particle at a time would give.
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <vector>
-
 #include "cpu/lanes.hpp"
-#include "cpu/state.hpp"
+#include "cpu/loops.hpp"
 
-namespace sluice::cpu {
+namespace sluice::cpu::SLUICE_SET {
 
-/// Particles side by side; gives their values of a field.
+/// Any particles side by side; gives their values of a field.
 template <class Real>
 struct Particles {
-  std::array<uint32_t, lane_count<Real>> at;
+  Indices<Real> at;
 
-  Vector<Real> operator()(const std::vector<Real>& field) const { return gather(field.data(), at.data()); }
-  Pair<Vector<Real>> operator()(const std::vector<glm::vec<2, Real>>& field) const {
-    return gather(field.data(), at.data());
-  }
+  auto operator()(const auto& field) const { return gather(field.data(), at); }
 };
 
-/// The `lanes` particles from `begin` on. Where there are fewer than a register holds, the last one fills it
-/// up.
+/// As many particles as there are lanes that follow each other.
 template <class Real>
-Particles<Real> particles_from(uint32_t begin, uint32_t lanes) {
-  Particles<Real> particles;
-  for (uint32_t l = 0; l < lane_count<Real>; ++l) particles.at[l] = begin + std::min(l, lanes - 1);
-  return particles;
-}
+struct Row {
+  size_t first;
+
+  auto operator()(const auto& field) const { return load(field.data() + first); }
+  void set(auto& field, const auto& values) const { store(values, field.data() + first); }
+};
+
+/// The last particles, fewer than there are lanes; others fill up the rest, and keep their values.
+template <class Real>
+struct Rest {
+  size_t first, count;
+
+  template <class T>
+  auto operator()(const std::vector<T>& field) const {
+    T values[lane_count<Real>]{};
+    std::copy_n(field.data() + first, count, values);
+    return load(values);
+  }
+  template <class T>
+  void set(std::vector<T>& field, const auto& values) const {
+    T all[lane_count<Real>];
+    store(values, all);
+    std::copy_n(all, count, field.data() + first);
+  }
+};
 
 /// Says of every lane that its value counts.
 struct Everyone {};
@@ -44,79 +56,97 @@ Value those(There there, Value value) {
   return there ? value : Value{};
 }
 
-/// Walks over the lists of the `lanes` particles from `begin` on: calls visit(block, j, there) for their
-/// first neighbours j, their second ones and so on. `block` is where the x components of the gradients stand.
-/// `there` is for those(): where a list has ended, j is a particle, but none to count.
-template <class Real, class Visit>
-[[gnu::always_inline]] inline void walk(const State<Real>& state, uint32_t begin, uint32_t lanes,
-                                        const Visit& visit) {
-  constexpr uint32_t width = lane_count<Real>;
-  std::array<uint32_t, width> length{};
-  Mask<Real> lengths{};
-  for (uint32_t l = 0; l < lanes; ++l) {
-    length[l] = state.list[begin + l].y;
-    lengths[l] = static_cast<MaskElement<Real>>(length[l]);
+/// Lengths of the lists of particles i; 0 for those that only fill up.
+template <class Real>
+Indices<Real> lengths_of(const Row<Real>& i, const std::vector<glm::uvec2>& list) {
+  const glm::uvec2* own = list.data() + i.first;
+  return split(load_as<Indices<Real>>(own), load_as<Indices<Real>>(own + lane_count<Real> / 2)).y;
+}
+template <class Real>
+Indices<Real> lengths_of(const Rest<Real>& i, const std::vector<glm::uvec2>& list) {
+  Indices<Real> lengths{};
+  for (size_t l = 0; l < i.count; ++l) lengths[l] = list[i.first + l].y;
+  return lengths;
+}
+
+/// The lane-wise least and largest of two halves, down to two lanes, whose least and largest are left.
+template <class Numbers, int... lane>
+std::pair<uint32_t, uint32_t> extremes(Numbers least, Numbers largest, std::integer_sequence<int, lane...>) {
+  constexpr int half = sizeof...(lane);
+  if constexpr (half == 1) {
+    return {std::min(least[0], least[1]), std::max(largest[0], largest[1])};
+  } else {
+    const auto a = __builtin_shufflevector(least, least, lane...),
+               b = __builtin_shufflevector(least, least, (half + lane)...),
+               c = __builtin_shufflevector(largest, largest, lane...),
+               d = __builtin_shufflevector(largest, largest, (half + lane)...);
+    return extremes<std::remove_cvref_t<decltype(a)>>(a < b ? a : b, c > d ? c : d,
+                                                      std::make_integer_sequence<int, half / 2>());
   }
-  const auto [shortest, longest] = std::minmax_element(length.begin(), length.end());
-  const uint64_t first = state.list[begin].x;
+}
+
+/// Walks over the lists of particles i: calls visit(block, j, there) for their first neighbours j, their
+/// second ones and so on. `block` is where the x components of the gradients stand. `there` is for those():
+/// where a list has ended, j is a particle, but none to count.
+template <class Real, class Group, class Visit>
+[[gnu::always_inline]] inline void walk(const State<Real>& state, const Group& i, const Visit& visit) {
+  const Indices<Real> length = lengths_of(i, state.list);
+  const auto lengths = __builtin_convertvector(length, Mask<Real>);
+  const auto [shortest, longest] =
+      extremes(length, length, std::make_integer_sequence<int, lane_count<Real> / 2>());
+  const uint64_t first = state.list[i.first].x;
   const uint32_t* index = state.index.data() + first;
   uint64_t block = 2 * first - first % slice_width;
-  Particles<Real> j;
   uint32_t k = 0;
-  for (; k < *shortest; ++k, index += slice_width, block += 2 * slice_width) {
-    for (uint32_t l = 0; l < width; ++l) j.at[l] = index[l];
-    visit(block, j, Everyone{});
-  }
+  for (; k < shortest; ++k, index += slice_width, block += 2 * slice_width)
+    visit(block, Particles<Real>{load_as<Indices<Real>>(index)}, Everyone{});
   // Where a list has ended, its entries may hold anything.
-  for (; k < *longest; ++k, index += slice_width, block += 2 * slice_width) {
-    for (uint32_t l = 0; l < width; ++l) {
-      const uint32_t kept = 0u - uint32_t{k < length[l]};  // no branch: nobody foresees where a list ends
-      j.at[l] = (index[l] & kept) | (begin & ~kept);
-    }
-    visit(block, j, lengths > static_cast<MaskElement<Real>>(k));
+  for (; k < longest; ++k, index += slice_width, block += 2 * slice_width) {
+    const auto any = load_as<Indices<Real>>(index);
+    visit(block, Particles<Real>{length > k ? any : static_cast<uint32_t>(i.first) - Indices<Real>{}},
+          lengths > static_cast<MaskElement<Real>>(k));
   }
 }
 
-/// Calls f(begin, lanes) for all particles, as many at a time as fit into a register.
+/// Calls f(i) for the particles of a part, as many at a time as fit into a register.
+template <class Real, class F>
+void for_each_group(Range part, F&& f) {
+  constexpr size_t width = lane_count<Real>;
+  size_t first = part.first;
+  for (; first + width <= part.last; first += width) f(Row<Real>{first});
+  if (first < part.last) f(Rest<Real>{first, part.last - first});
+}
+
+/// The same for all particles.
 template <class Real, class F>
 void for_each_group(const State<Real>& state, F&& f) {
-  constexpr uint32_t width = lane_count<Real>;
-  const uint32_t n = state.params.n;
-  for_each_index((uint64_t{n} + width - 1) / width, state.threads,
-                 [&](uint32_t group) { f(group * width, std::min(width, n - group * width)); });
+  for_each_part(state, [&](Range part) { for_each_group<Real>(part, f); });
 }
 
-/// The sums of what term(i, j, dW) gives over the neighbours of the `lanes` particles from `begin` on, with
-/// `start` added before.
-template <class Real, size_t count, class Term>
-std::array<Vector<Real>, count> sums_of(const State<Real>& state, uint32_t begin, uint32_t lanes,
-                                        const std::array<Real, count>& start, const Term& term) {
-  const auto i = particles_from<Real>(begin, lanes);
+/// Calls finish(i, sums) for the particles i of a part, as many at a time as fit into a register, with the
+/// sums of what term(i, j, dW) gives for their neighbours j: an array of values, as many as `start` has,
+/// which are added before. i(state.q) are the particles' values of q, i.set(state.q, values) changes them.
+template <class Real, size_t count, class Term, class Finish>
+void sum_over_neighbours(const State<Real>& state, Range part, const std::array<Real, count>& start,
+                         const Term& term, const Finish& finish) {
   const Real* gradient = state.gradient.data();
-  std::array<Vector<Real>, count> sums;
-  for (size_t c = 0; c < count; ++c) sums[c] = broadcast(start[c]);
-  walk(state, begin, lanes, [&](uint64_t block, const Particles<Real>& j, auto there) {
-    const Pair<Vector<Real>> dW{load(gradient + block), load(gradient + block + slice_width)};
-    const auto terms = term(i, j, dW);
-    for (size_t c = 0; c < count; ++c) sums[c] += those(there, terms[c]);
+  for_each_group<Real>(part, [&](const auto& i) {
+    std::array<Vector<Real>, count> sums;
+    for (size_t c = 0; c < count; ++c) sums[c] = broadcast(start[c]);
+    walk(state, i, [&](uint64_t block, const Particles<Real>& j, auto there) {
+      const Pair<Vector<Real>> dW{load(gradient + block), load(gradient + block + slice_width)};
+      const auto terms = term(i, j, dW);
+      for (size_t c = 0; c < count; ++c) sums[c] += those(there, terms[c]);
+    });
+    finish(i, sums);
   });
-  return sums;
 }
 
-/// Calls finish(i, sums) for every particle i, with the sums of what term(i, j, dW) gives for its neighbours:
-/// an array of values, as many as `start` has. The term's i and j are Particles, i(state.q) their values of
-/// q.
+/// The same for all particles.
 template <class Real, size_t count, class Term, class Finish>
 void sum_over_neighbours(const State<Real>& state, const std::array<Real, count>& start, const Term& term,
                          const Finish& finish) {
-  for_each_group(state, [&](uint32_t begin, uint32_t lanes) {
-    const auto sums = sums_of(state, begin, lanes, start, term);
-    for (uint32_t l = 0; l < lanes; ++l) {
-      std::array<Real, count> own;
-      for (size_t c = 0; c < count; ++c) own[c] = sums[c][l];
-      finish(begin + l, own);
-    }
-  });
+  for_each_part(state, [&](Range part) { sum_over_neighbours(state, part, start, term, finish); });
 }
 
-}  // namespace sluice::cpu
+}  // namespace sluice::cpu::SLUICE_SET

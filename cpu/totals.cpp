@@ -2,7 +2,7 @@
 #include "cpu/fold.hpp"
 #include "cpu/stages.hpp"
 
-namespace sluice::cpu {
+namespace sluice::cpu::SLUICE_SET {
 
 template <class Real>
 void totals(State<Real>& state) {
@@ -14,6 +14,6 @@ void totals(State<Real>& state) {
   }
 }
 
-}  // namespace sluice::cpu
+}  // namespace sluice::cpu::SLUICE_SET
 
 SLUICE_INSTANTIATE_STAGE(totals)

@@ -6,7 +6,7 @@
 #include "cpu/stages.hpp"
 #include "cpu/sums.hpp"
 
-namespace sluice::cpu {
+namespace sluice::cpu::SLUICE_SET {
 
 template <class Real>
 void viscosity(State<Real>& state) {
@@ -18,17 +18,17 @@ void viscosity(State<Real>& state) {
     const auto factor = approach / ((dot(x_ij, x_ij) + params.viscosity_floor) * j(state.rho));
     return std::array{factor * dW.x, factor * dW.y};
   };
-  sum_over_neighbours(state, std::array<Real, 2>{}, term, [&](uint32_t i, auto sums) {
-    const glm::vec<2, Real> v_i = state.v[i];
-    glm::vec<2, Real> sum = params.m * glm::vec<2, Real>(sums[0], sums[1]);
+  sum_over_neighbours(state, std::array<Real, 2>{}, term, [&](auto i, auto sums) {
+    auto sum = params.m * Pair{sums[0], sums[1]};
     if (walls) {
-      const glm::vec<4, Real> t = state.wall_viscosity[i];
-      sum += glm::vec<2, Real>(t.x * v_i.x + t.y * v_i.y, t.z * v_i.x + t.w * v_i.y) / state.rho[i];
+      const auto v_i = i(state.v);
+      const auto t = i(state.wall_viscosity);
+      sum += Pair{t.x * v_i.x + t.y * v_i.y, t.z * v_i.x + t.w * v_i.y} / i(state.rho);
     }
-    state.a_n[i] += (Real(2) * params.nu) * sum;
+    i.set(state.a_n, i(state.a_n) + (Real(2) * params.nu) * sum);
   });
 }
 
-}  // namespace sluice::cpu
+}  // namespace sluice::cpu::SLUICE_SET
 
 SLUICE_INSTANTIATE_STAGE(viscosity)

@@ -3,17 +3,17 @@
 //   q = warm_start p_in/rho^2
 #include "cpu/stages.hpp"
 
-namespace sluice::cpu {
+namespace sluice::cpu::SLUICE_SET {
 
 template <class Real>
 void warm_start(State<Real>& state) {
   const ParamsOf<Real>& params = state.params;
-  for_each_index(params.n, state.threads, [&](uint32_t i) {
+  for_each_index(params.n, state.threads, [&](size_t i) {
     const Real rho = state.rho[i];
     state.q[i] = params.warm_start * state.p_in[state.L[i]] / (rho * rho);
   });
 }
 
-}  // namespace sluice::cpu
+}  // namespace sluice::cpu::SLUICE_SET
 
 SLUICE_INSTANTIATE_STAGE(warm_start)

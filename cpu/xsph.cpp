@@ -5,7 +5,7 @@
 #include "cpu/stages.hpp"
 #include "cpu/sums.hpp"
 
-namespace sluice::cpu {
+namespace sluice::cpu::SLUICE_SET {
 
 template <class Real>
 void xsph(State<Real>& state) {
@@ -15,11 +15,11 @@ void xsph(State<Real>& state) {
     const auto weight = kernel(params, square_root(dot(x_ij, x_ij))) / j(state.rho);
     return std::array{weight * v_ij.x, weight * v_ij.y};
   };
-  sum_over_neighbours(state, std::array<Real, 2>{}, term, [&](uint32_t i, auto sums) {
-    state.a_n[i] -= params.xsph * glm::vec<2, Real>(sums[0], sums[1]);
+  sum_over_neighbours(state, std::array<Real, 2>{}, term, [&](auto i, auto sums) {
+    i.set(state.a_n, i(state.a_n) - params.xsph * Pair{sums[0], sums[1]});
   });
 }
 
-}  // namespace sluice::cpu
+}  // namespace sluice::cpu::SLUICE_SET
 
 SLUICE_INSTANTIATE_STAGE(xsph)

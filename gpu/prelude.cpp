@@ -6,7 +6,7 @@
 #include <cstring>
 #include <iterator>
 
-#include "core/scene.hpp"
+#include "core/solver.hpp"
 
 namespace sluice::gpu {
 namespace {

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <bit>
+#include <string>
+#include <vector>
 
 #include "tests/support/simulation.hpp"
 
@@ -51,6 +53,38 @@ TEST(SameBits, OfTheScenesOfTheThesis) {
     simulation.run(100);
     EXPECT_EQ(fmt::format("{:016x}", digest(simulation.simulator->snapshot())), expected)
         << run.name() << (precision == Precision::double_ ? " in double" : " in float");
+  }
+}
+
+/// Every method, viscosity and boundary at once; as many particles as make several blocks of a sweep.
+std::vector<Scene> scenes_of_all_models() {
+  std::vector<Scene> scenes;
+  for (const std::string method : {"iisph", "ssph", "wcsph"}) {
+    for (const std::string viscosity : {"xsph", "laplacian"}) {
+      scenes.push_back(shipped("breaking_dam", {"pressure.method=" + method, "viscosity.model=" + viscosity,
+                                                "viscosity.coefficient=0.05", "particles.spacing=2.5",
+                                                "time.dt=0.002", "fluid.jitter=0.1"}));
+    }
+  }
+  scenes.push_back(shipped("iisph_box"));
+  scenes.push_back(shipped("wcsph_box"));
+  return scenes;
+}
+
+TEST(SameBits, WithAllInstructionsThatThisProcessorHas) {
+  for (const Scene& scene : scenes_of_all_models()) {
+    for (const Precision precision : {Precision::single_, Precision::double_}) {
+      std::string expected;
+      for (int set = 0; set <= static_cast<int>(cpu::widest_instructions()); ++set) {
+        for (const int threads : {1, 3}) {
+          Simulation simulation(scene, precision, threads, static_cast<cpu::Instructions>(set));
+          simulation.run(20);
+          const std::string found = fmt::format("{:016x}", digest(simulation.simulator->snapshot()));
+          if (expected.empty()) expected = found;
+          EXPECT_EQ(found, expected) << scene.title << ", instructions " << set << ", threads " << threads;
+        }
+      }
+    }
   }
 }
 

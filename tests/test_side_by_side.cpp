@@ -1,5 +1,6 @@
 // What is computed for several particles side by side has the bits of one particle at a time: the lists and
-// their gradients, found in every way this processor knows, and the sums over them.
+// their gradients, and the sums over them, with the instructions that every processor has. test_same_bits.cpp
+// compares the others with these.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -87,29 +88,26 @@ TEST(SideBySide, ListsAreThoseOfAPlainSearch) {
 }
 
 template <class Real>
-void expect_every_way_to_find_the_same() {
-  std::vector<cpu::Find<Real>> ways = {cpu::find_4_wide<Real>, cpu::fastest_find<Real>()};
+void expect_found_in_any_ranges() {
   const auto state = searched<Real>(open_scene(20), scattered());
   const uint32_t n = state.params.n;
-  for (const auto find : ways) {
-    for (uint32_t i = 0; i < n; ++i) {
-      // Ranges of any length and place, the last of all included.
-      const cpu::Candidates candidates{i, {{{i / 2, i / 2 + i % 40}, {i, i}, {n - 1 - i % 35, n}}}};
-      std::vector<uint32_t> expected, found(candidates.count() + cpu::block_width);
-      const auto all = neighbours_of(state, i);
-      for (const glm::uvec2 row : candidates.rows) {
-        std::copy_if(all.begin(), all.end(), std::back_inserter(expected),
-                     [&](uint32_t j) { return row.x <= j && j < row.y; });
-      }
-      found.resize(find(state.x.data(), n, state.params.support_squared, candidates, found.data()));
-      ASSERT_EQ(found, expected) << i;
+  for (uint32_t i = 0; i < n; ++i) {
+    // Ranges of any length and place, the last of all included.
+    const cpu::Candidates candidates{i, {{{i / 2, i / 2 + i % 40}, {i, i}, {n - 1 - i % 35, n}}}};
+    std::vector<uint32_t> expected, found(candidates.count() + cpu::block_width);
+    const auto all = neighbours_of(state, i);
+    for (const glm::uvec2 row : candidates.rows) {
+      std::copy_if(all.begin(), all.end(), std::back_inserter(expected),
+                   [&](uint32_t j) { return row.x <= j && j < row.y; });
     }
+    found.resize(cpu::find(state.x.data(), n, state.params.support_squared, candidates, found.data()));
+    ASSERT_EQ(found, expected) << i;
   }
 }
 
-TEST(SideBySide, EveryWayToFindGivesTheSame) {
-  expect_every_way_to_find_the_same<float>();
-  expect_every_way_to_find_the_same<double>();
+TEST(SideBySide, FoundAreThoseOfTheRangesAndNoOthers) {
+  expect_found_in_any_ranges<float>();
+  expect_found_in_any_ranges<double>();
 }
 
 /// Searched, with values for the stages to work on; where no list has an entry, the worst there can be.
@@ -229,7 +227,7 @@ void expect_the_same_lane_by_lane() {
     }
     const auto a = cpu::square_root(values), b = cpu::by_lane::square_root(values);
     EXPECT_EQ(std::memcmp(&a, &b, sizeof a), 0);
-    EXPECT_EQ(cpu::bits_of(others < Real(0)), cpu::by_lane::bits_of(others < Real(0)));
+    EXPECT_EQ(cpu::bits_below(others, Real(0)), cpu::by_lane::bits_below(others, Real(0)));
   }
 }
 

@@ -20,10 +20,11 @@ struct Simulation {
   std::unique_ptr<Backend> backend;
   std::unique_ptr<Simulator> simulator;
 
-  explicit Simulation(Scene scene_to_run, Precision precision = Precision::double_, int threads = 1)
+  explicit Simulation(Scene scene_to_run, Precision precision = Precision::double_, int threads = 1,
+                      cpu::Instructions instructions = cpu::widest_instructions())
       : scene(std::move(scene_to_run)),
         samples(sample(scene)),
-        backend(cpu::make_backend(precision, threads)),
+        backend(cpu::make_backend(precision, threads, instructions)),
         simulator(std::make_unique<Simulator>(scene, samples, *backend)) {}
 
   /// Runs `steps` steps and returns the reports.
