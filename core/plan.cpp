@@ -19,7 +19,7 @@ Plan plan_with(const Needs& needs, std::initializer_list<Stage> finish) {
   plan.needs = needs;
   plan.once = needed(needs, {pseudo_mass});
   plan.search = needed(needs, {grid_count, grid_scan, grid_scatter, grid_order, reorder, neighbours,
-                               gradients, boundary, density, clamp_density});
+                               boundary, density, clamp_density});
   plan.forces =
       needed(needs, {external, viscosity, xsph, predict, state_equation, tait, diagonal, source, warm_start});
   if (needs.linear_system) {

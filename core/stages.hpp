@@ -49,7 +49,7 @@ class FieldSet {
 #define SLUICE_STAGES(STAGE) \
   STAGE(pseudo_mass)                                                                                           \
   STAGE(grid_count) STAGE(grid_scan) STAGE(grid_scatter) STAGE(grid_order) STAGE(reorder) STAGE(neighbours)    \
-  STAGE(gradients) STAGE(boundary) STAGE(density) STAGE(clamp_density)                                         \
+  STAGE(boundary) STAGE(density) STAGE(clamp_density)                                                          \
   STAGE(external) STAGE(viscosity) STAGE(xsph) STAGE(predict) STAGE(state_equation) STAGE(tait)                \
   STAGE(diagonal) STAGE(source) STAGE(warm_start)                                                              \
   STAGE(pressure_acceleration) STAGE(pressure_operator) STAGE(residual) STAGE(stop_test)                       \

@@ -1,5 +1,6 @@
 // Density by summation over the neighbours, the particle itself and the boundary [Hunkler 2022, algorithm 5]:
 //   rho_i = m (W_ii + sum_j W_ij) + sum_b m_b W_ib
+// and on the way the kernel gradient dW_ij of every entry of the neighbour list [Hunkler 2022, eq. 5.2].
 
 #include "lib/kernel.glsl"
 #include "lib/neighbours.glsl"
@@ -9,7 +10,12 @@ void run(uint i) {
   precise float sum = kernel(0.0);
   for_each_neighbour(i, entry) {
     precise vec2 x_ij = x_i - load(x, load(index, entry));
-    sum += kernel(length_of(x_ij));
+    float r = length_of(x_ij);
+    vec2 dW = kernel_gradient(x_ij, r);
+    uint block = 2u * entry - entry % slice_width;
+    gradient[block] = dW.x;
+    gradient[block + slice_width] = dW.y;
+    sum += kernel(r);
   }
   sum = params.m * sum + (walls ? load(wall_density, i) : 0.0);
   rho[i] = sum;

@@ -205,8 +205,7 @@ TEST(RunAgreement, IsRefusedToASpacingThatIsOffByAThousandth) {
   for (const StageAgreement& row : found.stages) {
     if (row.difference.max_ulp > 32) failed.insert(row.stage);
   }
-  for (const Stage stage :
-       {Stage::neighbours, Stage::gradients, Stage::boundary, Stage::density, Stage::viscosity}) {
+  for (const Stage stage : {Stage::neighbours, Stage::boundary, Stage::density, Stage::viscosity}) {
     EXPECT_TRUE(failed.contains(stage)) << info(stage).name;
   }
 }
@@ -279,8 +278,7 @@ TEST(RunAgreement, OfAStepThatIsSplitBetweenTheBackends) {
   if (!gpu::Context().software()) GTEST_SKIP() << "runs are equal on llvmpipe only";
   expect_split_steps_agree(shipped("breaking_dam"), {Stage::grid_count, Stage::neighbours, Stage::density,
                                                      Stage::source, Stage::pressure_operator, Stage::totals});
-  const std::vector<Stage> of_wcsph = {Stage::pseudo_mass, Stage::gradients, Stage::clamp_density,
-                                       Stage::xsph, Stage::tait};
+  const std::vector<Stage> of_wcsph = {Stage::pseudo_mass, Stage::clamp_density, Stage::xsph, Stage::tait};
   expect_split_steps_agree(shipped("wcsph_box"), of_wcsph);
   expect_split_steps_agree(shipped("wcsph_box", {"fluid.jitter=0.1", "fluid.relax=2"}), of_wcsph);
 }

@@ -119,7 +119,7 @@ cpu::State<Real> prepared(const std::vector<Vec2>& positions) {
   state.params.xsph = Real(0.7);
   const auto values = random_positions(3 * n, {0.5, -1}, {1.5, 1}, 9);
   for (uint32_t i = 0; i < n; ++i) {
-    state.rho.push_back(static_cast<Real>(values[3 * i].x));
+    state.rho[i] = static_cast<Real>(values[3 * i].x);
     state.q.push_back(static_cast<Real>(values[3 * i].y));
     state.v[i] = Vec<Real>(values[3 * i + 1]);
     state.a_n.push_back(Vec<Real>(values[3 * i + 2]));

@@ -56,13 +56,14 @@ cpu::State<Real> searched(const Scene& scene, const std::vector<Vec2>& positions
   state.index.resize(state.sizes.of(Length::list));
   state.gradient.resize(state.sizes.of(Length::gradients));
   state.list_needed.resize(1);
+  state.rho.resize(n);
   cpu::grid_count(state);
   cpu::grid_scan(state);
   cpu::grid_scatter(state);
   cpu::grid_order(state);
   cpu::reorder(state);
   cpu::neighbours(state);
-  cpu::gradients(state);
+  cpu::density(state);
   return state;
 }
 

@@ -19,7 +19,7 @@ uint64_t total(const std::vector<std::set<uint32_t>>& sets);
 /// A square domain of `cells` support lengths with spacing 1 and H = smoothing, holding no shapes.
 Scene open_scene(double cells, double smoothing = 1);
 
-/// State after grid, reorder, neighbours and gradients for these positions, ids in order.
+/// State after grid, reorder, neighbours and density for these positions, ids in order.
 template <class Real>
 cpu::State<Real> searched(const Scene& scene, const std::vector<Vec2>& positions, int threads = 1,
                           uint64_t list_entries = 0);
