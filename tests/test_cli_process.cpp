@@ -112,7 +112,7 @@ TEST(CliProcess, ATerminalSeesProgress) {
   EXPECT_TRUE(has(ssph, "dt 0.01  compression ")) << "no iterations where there are none: " << ssph;
   const std::string capped = shown_on_terminal(
       {"--steps", "3", "--set", "pressure.iisph.max_iterations=2", "--set", "pressure.iisph.tolerance=1e-6"});
-  EXPECT_TRUE(has(capped, "iterations 2 (not converged)")) << capped;
+  EXPECT_TRUE(std::regex_search(capped, std::regex("iterations 2  not converged [123]  "))) << capped;
 }
 
 TEST(CliProcess, ProgressIsForTerminalsOnly) {

@@ -133,7 +133,7 @@ int report_end(const RunSummary& summary, uint64_t steps, bool quiet) {
                failure_text(summary.scene, summary.statistics, *failure));
     return 1;
   }
-  warn_of_poor_run(summary.statistics, quiet);
+  warn_of_poor_run(summary.scene, summary.statistics, quiet);
   if (interrupted()) {
     fmt::print(stderr, "sluice: interrupted after step {} of {}; what was asked for is written up to there\n",
                summary.simulator.steps(), steps);

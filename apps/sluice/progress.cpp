@@ -21,6 +21,7 @@ Progress::~Progress() {
 }
 
 void Progress::show(uint64_t count, const StepReport& report) {
+  if (!report.converged) ++not_converged_;
   if (!shown_) return;
   const Clock::time_point now = Clock::now();
   if (drawn_ && now - last_ < std::chrono::milliseconds(200)) return;
@@ -31,7 +32,8 @@ void Progress::show(uint64_t count, const StepReport& report) {
   fmt::print(stderr, "\r{:3.0f} %  t {:.4g}/{:.4g}  {:.4g} {}/s  dt {:.3g}  ", 100 * done, report.time,
              duration_, static_cast<double>(count) / elapsed, units_, report.dt);
   if (report.iterations > 0) {
-    fmt::print(stderr, "iterations {}{}  ", report.iterations, report.converged ? "" : " (not converged)");
+    fmt::print(stderr, "iterations {}  ", report.iterations);
+    if (not_converged_ > 0) fmt::print(stderr, "not converged {}  ", not_converged_);
   }
   fmt::print(stderr, "compression {:.1e}  left {}\x1b[K", report.diagnostics.mean_compression,
              duration_text(elapsed * (1 - done) / done));

@@ -1,5 +1,5 @@
-// The progress line on a terminal: percent, simulated time, steps per second, dt, iterations, compression,
-// time left.
+// The progress line on a terminal: percent, simulated time, steps per second, dt, iterations, how many did
+// not converge, compression, time left.
 #pragma once
 
 #include <chrono>
@@ -29,6 +29,7 @@ class Progress {
   std::string units_;
   bool shown_;
   bool drawn_ = false;
+  uint64_t not_converged_ = 0;
   Clock::time_point start_ = Clock::now(), last_ = start_;
 };
 

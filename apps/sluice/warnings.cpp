@@ -123,12 +123,14 @@ std::string failure_text(const Scene& scene, const RunStatistics& statistics, co
                      remedy(scene, statistics, failure.step));
 }
 
-void warn_of_poor_run(const RunStatistics& statistics, bool quiet) {
+void warn_of_poor_run(const Scene& scene, const RunStatistics& statistics, bool quiet) {
   if (statistics.not_converged() > 0) {
-    warn(quiet,
-         fmt::format("the pressure of {} of {} steps did not converge; use a smaller time.dt or a larger "
-                     "pressure.iisph.max_iterations",
-                     statistics.not_converged(), statistics.steps()));
+    const bool thesis_wall =
+        scene.boundary_model == BoundaryModel::mirror && scene.iisph.wall == Wall::thesis;
+    warn(quiet, fmt::format("the pressure of {} of {} steps did not converge; use {}a smaller {} or a larger "
+                            "pressure.iisph.max_iterations",
+                            statistics.not_converged(), statistics.steps(),
+                            thesis_wall ? "pressure.iisph.wall \"symmetric\", " : "", dt_key(scene)));
   }
   if (statistics.cfl_max() > 1) {
     warn(quiet, fmt::format("particles moved by up to {:.3g} spacings in one step; use a smaller time.dt",

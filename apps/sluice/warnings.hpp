@@ -24,6 +24,6 @@ std::vector<std::string> beyond_limits(const Scene& scene);
 std::string failure_text(const Scene& scene, const RunStatistics& statistics, const Failure& failure);
 
 /// Steps that did not converge, particles that moved too far or were lost, a fluid that gives way.
-void warn_of_poor_run(const RunStatistics& statistics, bool quiet);
+void warn_of_poor_run(const Scene& scene, const RunStatistics& statistics, bool quiet);
 
 }  // namespace sluice
