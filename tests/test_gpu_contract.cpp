@@ -153,9 +153,13 @@ TEST_F(ShaderFolder, AnOverrideIsUsed) {
 }
 
 TEST_F(ShaderFolder, AnOverriddenIncludeIsUsedByTheProgramsOwnShaders) {
-  put("lib/kernel.glsl", "#include \"lib/vectors.glsl\"\nfloat kernel(float r) { return 5.0; }\n");
+  put("lib/kernel.glsl",
+      "#include \"lib/vectors.glsl\"\nfloat kernel(float r) { return 5.0; }\nvec2 kernel_gradient(vec2 x_ij, "
+      "float r) { return x_ij; }\n");
   EXPECT_EQ(density(), 10);
-  put("lib/kernel.glsl", "#include \"lib/vectors.glsl\"\nfloat kernel(float r) { return 6.0; }\n");
+  put("lib/kernel.glsl",
+      "#include \"lib/vectors.glsl\"\nfloat kernel(float r) { return 6.0; }\nvec2 kernel_gradient(vec2 x_ij, "
+      "float r) { return x_ij; }\n");
   EXPECT_EQ(density(), 12);
 }
 
