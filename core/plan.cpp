@@ -18,8 +18,8 @@ Plan plan_with(const Needs& needs, std::initializer_list<Stage> finish) {
   Plan plan;
   plan.needs = needs;
   plan.once = needed(needs, {pseudo_mass});
-  plan.search = needed(needs, {grid_count, grid_scan, grid_scatter, grid_order, reorder, neighbours,
-                               boundary, density, clamp_density});
+  plan.search = needed(needs, {grid_count, grid_scan, grid_scatter, grid_order, reorder, neighbours, boundary,
+                               density, clamp_density});
   plan.forces =
       needed(needs, {external, viscosity, xsph, predict, state_equation, tait, diagonal, source, warm_start});
   if (needs.linear_system) {

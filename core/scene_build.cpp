@@ -107,16 +107,6 @@ void read_pressure(const SceneValue& root, Scene& scene) {
     scene.wcsph = Wcsph{wcsph->at("kappa").number, wcsph->at("gamma").number};
 }
 
-/// The other wall terms and boundary models go together.
-void check_wall(const SceneValue& root, const Scene& scene) {
-  const SceneValue& wall = root.at("pressure").at("iisph").at("wall");
-  const bool is_used = scene.method == PressureMethod::iisph || scene.relax > 0;
-  if (!is_used || wall.text != "symmetric" || scene.boundary_model != BoundaryModel::akinci) return;
-  throw refusal(blame({&wall, &root.at("boundary").at("model")}), "pressure.iisph.wall",
-                describe(wall) + " with boundary.model \"akinci\"",
-                "\"thesis\"; the wall term of \"akinci\" is symmetric as it is");
-}
-
 void check_time(const SceneValue& root, const SceneValue* method_dt, const std::string& method_key) {
   const SceneValue& table = root.at("time");
   const SceneValue *dt = table.find("dt"), *cfl = table.find("cfl");
@@ -229,7 +219,6 @@ Scene build_scene(const SceneValue& root, const std::string& name, const std::st
   if (const SceneValue* boundary = root.find("boundary")) read_boundary(*boundary, reader, scene);
   if (const SceneValue* viscosity = root.find("viscosity")) read_viscosity(*viscosity, scene);
   read_pressure(root, scene);
-  check_wall(root, scene);
   read_time(root, scene);
   read_output(root.at("output"), scene);
   scene.settings = scene_settings(root, scene);

@@ -181,10 +181,11 @@ constexpr std::array keys{
              "Relaxation of the Jacobi iteration; it tends to diverge from 0.9."},
     SceneKey{"pressure.iisph.warm_start", number, "", "0.5", from_to(0, 1),
              "The iteration starts from this part of the last step's pressure."},
-    SceneKey{"pressure.iisph.solver", choice, "", "\"jacobi\"", any,
-             "How the system is iterated: \"jacobi\" as in [Hunkler 2022]; \"barzilai-borwein\" with steps of "
-             "its own choice, two to six times fewer.",
-             iisph_solvers},
+    SceneKey{
+        "pressure.iisph.solver", choice, "", "\"jacobi\"", any,
+        "How the system is iterated: \"jacobi\" as in [Hunkler 2022]; \"barzilai-borwein\" with steps of "
+        "its own choice, two to six times fewer.",
+        iisph_solvers},
     SceneKey{"pressure.iisph.wall", choice, "", "\"thesis\"", any,
              "The wall term of a \"mirror\" boundary: \"thesis\" as in [Hunkler 2022]; \"symmetric\" counts "
              "it twice "

@@ -128,5 +128,15 @@ INSTANTIATE_TEST_SUITE_P(Boundaries, PressureSystem, testing::Values(symmetric, 
 INSTANTIATE_TEST_SUITE_P(Boundaries, SymmetricSystem, testing::Values(symmetric, akinci, no_boundary),
                          name_of_test);
 
+// Samples with pseudo-masses have no other wall term.
+TEST(AkinciBoundary, IsTheSameWithEitherWall) {
+  const auto run = [](const std::string& wall) {
+    Simulation simulation(shipped("iisph_box", {"pressure.iisph.wall=" + wall, "fluid.relax=2"}));
+    simulation.run(200);
+    return simulation.simulator->snapshot();
+  };
+  EXPECT_EQ(run("thesis").x, run("symmetric").x);
+}
+
 }  // namespace
 }  // namespace sluice::test

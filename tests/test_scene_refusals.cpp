@@ -326,16 +326,6 @@ TEST(SceneRefusals, TooManyToNumber) {
   });
 }
 
-TEST(SceneRefusals, ModelsThatDoNotGoTogether) {
-  const std::string symmetric = scene_with(25, "wall = \"symmetric\"");
-  EXPECT_EQ(refusal_of(symmetric, {"boundary.model=akinci"}),
-            "--set boundary.model: pressure.iisph.wall: found \"symmetric\" with boundary.model \"akinci\", "
-            "expected \"thesis\"; the wall term of \"akinci\" is symmetric as it is");
-  EXPECT_EQ(refusal_of(symmetric, {"boundary.model=akinci", "pressure.method=ssph"}), "no refusal");
-  EXPECT_NE(refusal_of(symmetric, {"boundary.model=akinci", "pressure.method=ssph", "fluid.relax=1"}),
-            "no refusal");
-}
-
 TEST(SceneRefusals, NotAvailableYet) {
   expect_refusals({
       {32, "cfl = 0.4\ndt_min = 0.001\ndt_max = 0.1",
