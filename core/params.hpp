@@ -26,10 +26,10 @@ struct Scene;
   REAL(k, "stiffness of the SSPH state equation")                                                           \
   REAL(tait_factor, "kappa rho0 / gamma of Tait's equation")                                                \
   REAL(gamma, "exponent of Tait's equation")                                                                \
-  REAL(omega, "relaxation of an IISPH sweep")                                                               \
+  REAL(omega, "step of the Jacobi iteration, and of the first and the last of any")                         \
   REAL(warm_start, "share of the last step's pressure IISPH starts from")                                   \
   REAL(source_weight, "weight of rho0 - rho in the IISPH source")                                           \
-  REAL(tolerance, "bound on the mean density error at which IISPH stops")                                   \
+  REAL(tolerance, "bound on the error e at which IISPH stops")                                              \
   REAL(wall_mass, "m where all boundary samples have it, 1 where each has a pseudo-mass of its own")        \
   REAL(wall_gradient_mass, "wall_mass, twice it where the symmetric system counts walls twice")             \
   REAL(wall_pressure, "1 / rho0^2 where a boundary sample mirrors the pressure, else 0")                    \

@@ -178,7 +178,9 @@ constexpr std::array keys{
              "The iteration ends here, converged or not; not below `min_iterations`."},
     SceneKey{"pressure.iisph.omega", number, "", "0.5",
              KeyRange{.low = 0, .high = 2, .low_excluded = true, .high_excluded = true},
-             "Relaxation of the Jacobi iteration; it tends to diverge from 0.9."},
+             "Step of the Jacobi iteration, which tends to diverge from 0.9, and of the first and the last "
+             "step of the "
+             "other."},
     SceneKey{"pressure.iisph.warm_start", number, "", "0.5", from_to(0, 1),
              "The iteration starts from this part of the last step's pressure."},
     SceneKey{

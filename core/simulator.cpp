@@ -15,6 +15,8 @@ namespace {
 /// Sweeps between two looks at whether the solve is over. A look makes a GPU wait; sweeps after the end cost
 /// it next to nothing.
 constexpr uint32_t sweeps_between_looks = 4;
+/// Sweeps before the first look: a solve that was cut off says nothing of the next.
+constexpr uint32_t most_sweeps_unseen = 64;
 
 /// Boundary samples sorted by grid cell, and the first of each cell.
 struct SortedBoundary {
@@ -164,7 +166,7 @@ void Simulator::run_step(const Plan& plan, StepReport& report) {
     run(plan.finish);
   } while (list_was_too_short());
   // Not before the step stands: a solve with a list that was too short means nothing.
-  if (!plan.sweep.empty()) first_look_ = report.iterations;
+  if (!plan.sweep.empty()) first_look_ = std::min(report.iterations, most_sweeps_unseen);
 }
 
 /// Makes the neighbour list longer if it is too short.
@@ -200,7 +202,7 @@ void Simulator::solve_pressure(const Plan& plan, StepReport& report) {
   backend_.download(Field::solve, solve);
   report.iterations = sweeps[0];
   report.converged = static_cast<Solve>(sweeps[1]) == Solve::converged;
-  report.residual = report.converged ? solve[0] : solve[1];
+  report.residual = report.converged || !std::isfinite(solve[1]) ? solve[0] : solve[1];
 }
 
 void Simulator::change_dt(double dt) {

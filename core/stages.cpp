@@ -62,7 +62,7 @@ const std::array<StageInfo, stage_count>& stage_table() {
        linear_system,
        "A_ii = -dt^2 (|m sum_j dW + B_i|^2 + sum |m dW|^2)"},
       {"source", neighbour_list | FieldSet{v_star, rho, wall_gradient}, {s}, Length::fluid, linear_system,
-       "s_i = rho0 - rho_i - dt m sum v*_ij.dW_ij"},
+       "s_i = w (rho0 - rho_i) - dt m sum v*_ij.dW_ij"},
       {"warm_start", {L, p_in, rho}, {q}, Length::fluid, linear_system,
        "q = warm_start p/rho^2, with p of the last step"},
       {"pressure_acceleration", neighbour_list | FieldSet{q, rho, wall_gradient}, {a_p}, Length::fluid, always,

@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <cstring>
 #include <glm/glm.hpp>
+#include <limits>
 #include <numeric>
 #include <type_traits>
 #include <utility>

@@ -12,7 +12,7 @@ namespace sluice::cpu::SLUICE_SET {
 
 template <class Real>
 void pressure_update(State<Real>& state) {
-  const bool keeps_last = state.needs.barzilai_borwein;
+  const bool keeps_last = state.params.solver != static_cast<uint32_t>(Solver::jacobi);
   const glm::vec<4, Real> solve = state.solve[0];
   const Real t = solve.z, start = solve.w;
   const bool is_best = solve.x == solve.y;

@@ -9,13 +9,15 @@
 
 // Bounds of a Barzilai-Borwein step; `squares` of a first guess that is dropped, in those of none at all.
 const float shortest_step = 0.2, longest_step = 1000.0, far_worse = 100.0;
+const uint infinity_bits = 0x7f800000u;
 
 float step_length(uint sweeps_before) {
-  precise float SS = fold_group(residual_SS, 0u, false), SY = fold_group(residual_SY, 0u, false),
-                YY = fold_group(residual_YY, 0u, false);
-  if (params.solver == solver_jacobi || sweeps_before == 0u || !(SY > 0.0)) return params.omega;
-  precise float t = sweeps_before % 2u == 1u ? SS / SY : SY / YY;
-  return t < shortest_step ? shortest_step : t > longest_step ? longest_step : t;
+  if (params.solver == solver_jacobi || sweeps_before == 0u) return params.omega;
+  precise float SY = fold_group(residual_SY, 0u, false);
+  if (!(SY > 0.0)) return params.omega;
+  precise float t = sweeps_before % 2u == 1u ? fold_group(residual_SS, 0u, false) / SY
+                                             : SY / fold_group(residual_YY, 0u, false);
+  return !(t > shortest_step) ? shortest_step : t > longest_step ? longest_step : t;
 }
 
 void run(uint i) {
@@ -23,6 +25,8 @@ void run(uint i) {
   fold_into_scratch(i, false);
 #else
   if (sweeps[0].y != solve_unfinished) {
+    sweep_groups[0] = 0u;
+    sweep_groups[3] = 0u;
     sweep_groups[6] = 0u;  // of the update: the last one has run
     return;
   }
@@ -48,9 +52,12 @@ void run(uint i) {
   uint state = goes_on ? solve_unfinished : solved ? solve_converged : solve_capped;
   sweeps[0] = uvec2(done, state);
 
-  float smallest = before == 0u || e < solve[0].y ? e : solve[0].y;
-  bool goes_back = state == solve_capped && smallest >= 0.0 && e != smallest;
-  solve[0] = vec4(e, smallest, step_length(before), goes_back ? -1.0 : far_off && goes_on ? 0.0 : 1.0);
+  float none_yet = uintBitsToFloat(infinity_bits);
+  float smallest_before = before == 0u ? none_yet : solve[0].y;
+  float smallest = !far_off && e < smallest_before ? e : smallest_before;
+  bool goes_back = state == solve_capped && smallest < none_yet && e != smallest;
+  float t = goes_on ? step_length(before) : params.omega;
+  solve[0] = vec4(e, smallest, t, far_off ? 0.0 : goes_back ? -1.0 : 1.0);
   if (state != solve_unfinished) {
     sweep_groups[0] = 0u;  // of passes over particles but the update
     sweep_groups[3] = 0u;  // of passes over chunks

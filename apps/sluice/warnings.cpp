@@ -133,8 +133,8 @@ void warn_of_poor_run(const Scene& scene, const RunStatistics& statistics, bool 
                             thesis_wall ? "pressure.iisph.wall \"symmetric\", " : "", dt_key(scene)));
   }
   if (statistics.cfl_max() > 1) {
-    warn(quiet, fmt::format("particles moved by up to {:.3g} spacings in one step; use a smaller time.dt",
-                            statistics.cfl_max()));
+    warn(quiet, fmt::format("particles moved by up to {:.3g} spacings in one step; use a smaller {}",
+                            statistics.cfl_max(), dt_key(scene)));
   }
   if (statistics.compression_mean() > 0.05) {
     warn(quiet,

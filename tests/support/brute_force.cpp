@@ -185,30 +185,36 @@ void BruteForce::solve() {
   const Iisph& settings = scene_.iisph;
   std::vector<double> Ap(x.size()), best = p;
   double smallest = 0;
+  bool has_best = false;
   iterations = 0;
   converged = false;
   for (bool goes_on = true; goes_on; ++iterations) {
     compute_pressure_acceleration();
     for (uint32_t i = 0; i < x.size(); ++i) Ap[i] = dt_ * dt_ * divergence(a_p, i);
     const auto [e, squares, source_squares] = error_of(Ap);
-    const double t = step_of(iterations, Ap);
     const bool far_off = iterations == 0 && squares > 100 * source_squares;
-    const bool is_best = iterations == 0 || e < smallest;
+    const bool is_best = !far_off && (!has_best || e < smallest);
     if (is_best) {
+      has_best = true;
       smallest = e;
       best = p;
     }
     converged = e < settings.tolerance && !far_off;
     const uint32_t done = iterations + 1;
     goes_on = done < settings.max_iterations && (done < settings.min_iterations || !converged);
-    residual = converged ? e : smallest;
+    residual = converged || !has_best ? e : smallest;
+    const double t = goes_on ? step_of(iterations, Ap) : settings.omega;
     p_before_ = p;
     Ap_before_ = Ap;
     for (uint32_t i = 0; i < x.size(); ++i) {
       if (A_ii[i] != 0) p[i] = std::max(p[i] + t * (s[i] - Ap[i]) / A_ii[i], 0.0);
-      if (far_off && goes_on) p[i] = 0;
+      if (far_off) p[i] = 0;
     }
-    if (!goes_on && !converged && !is_best) p = best;
+    if (far_off) ++dropped;
+    if (!goes_on && !converged && has_best && !is_best) {
+      p = best;
+      ++gone_back;
+    }
   }
 }
 

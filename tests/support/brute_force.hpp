@@ -19,6 +19,7 @@ struct BruteForce {
   uint32_t iterations = 0;
   double residual = 0;
   bool converged = true;
+  int dropped = 0, gone_back = 0;  ///< first guesses, and solves that went back to their best
 
   BruteForce(const Scene& scene, const Samples& samples);
   void step();
