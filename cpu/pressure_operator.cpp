@@ -10,11 +10,12 @@ void pressure_operator(State<Real>& state, Range part) {
   const ParamsOf<Real>& params = state.params;
   const bool walls = state.needs.boundary;
   const auto term = [&](auto i, auto j, auto dW) { return std::array{dot(i(state.a_p) - j(state.a_p), dW)}; };
-  sum_over_neighbours(state, part, std::array<Real, 1>{}, term, [&](auto i, auto sums) {
+  const auto finish = [&](auto i, auto sums) {
     auto sum = params.m * sums[0];
     if (walls) sum += dot(i(state.a_p), i(state.wall_gradient));
     i.set(state.Ap, (params.dt * params.dt) * sum);
-  });
+  };
+  sum_over_neighbours(state, part, std::array<Real, 1>{}, term, finish, Further{part.ahead});
 }
 
 }  // namespace sluice::cpu::SLUICE_SET
