@@ -85,16 +85,18 @@ std::pair<uint32_t, uint32_t> extremes(Numbers least, Numbers largest, std::inte
   }
 }
 
-/// What is fetched into a cache while lists are walked over. Entries that come next, into the first level.
-template <bool with_gradients = true>
+/// What is fetched into a cache while lists are walked over. Nothing: the processor fetches what is merely
+/// read in a row by itself.
+struct Nothing {
+  uint64_t entries(const auto&, size_t, uint64_t) const { return 0; }
+};
+/// Entries that come next, into the first level.
 struct Next {
-  static constexpr bool gradients = with_gradients;
   static constexpr int locality = 3;
   uint64_t entries(const auto&, size_t, uint64_t) const { return 8 * slice_width; }
 };
 /// The lists of particles so many further on, where another stage goes next, into the second level.
 struct Further {
-  static constexpr bool gradients = true;
   static constexpr int locality = 2;
   size_t particles;
 
@@ -119,8 +121,8 @@ template <class Real, class Group, class Fetch, class Visit>
   uint64_t block = 2 * first - first % slice_width;
   uint32_t k = 0;
   for (; k < shortest; ++k, index += slice_width, block += 2 * slice_width) {
-    __builtin_prefetch(index + ahead, 0, Fetch::locality);
-    if constexpr (Fetch::gradients) {
+    if constexpr (!std::is_same_v<Fetch, Nothing>) {
+      __builtin_prefetch(index + ahead, 0, Fetch::locality);
       __builtin_prefetch(gradient + block, 0, Fetch::locality);
       __builtin_prefetch(gradient + block + slice_width, 0, Fetch::locality);
     }
@@ -135,7 +137,7 @@ template <class Real, class Group, class Fetch, class Visit>
 }
 template <class Real, class Group, class Visit>
 [[gnu::always_inline]] inline void walk(const State<Real>& state, const Group& i, const Visit& visit) {
-  walk(state, i, Next<>{}, visit);
+  walk(state, i, Next{}, visit);
 }
 
 /// Calls f(i) for the particles of a part, as many at a time as fit into a register.
@@ -156,7 +158,7 @@ void for_each_group(const State<Real>& state, F&& f) {
 /// Calls finish(i, sums) for the particles i of a part, as many at a time as fit into a register, with the
 /// sums of what term(i, j, dW) gives for their neighbours j: an array of values, as many as `start` has,
 /// which are added before. i(state.q) are the particles' values of q, i.set(state.q, values) changes them.
-template <class Real, size_t count, class Term, class Finish, class Fetch = Next<>>
+template <class Real, size_t count, class Term, class Finish, class Fetch = Next>
 void sum_over_neighbours(const State<Real>& state, Range part, const std::array<Real, count>& start,
                          const Term& term, const Finish& finish, Fetch fetch = {}) {
   const Real* gradient = state.gradient.data();
@@ -173,7 +175,7 @@ void sum_over_neighbours(const State<Real>& state, Range part, const std::array<
 }
 
 /// The same for all particles.
-template <class Real, size_t count, class Term, class Finish, class Fetch = Next<>>
+template <class Real, size_t count, class Term, class Finish, class Fetch = Next>
 void sum_over_neighbours(const State<Real>& state, const std::array<Real, count>& start, const Term& term,
                          const Finish& finish, Fetch fetch = {}) {
   for_each_part(state, [&](Range part) { sum_over_neighbours(state, part, start, term, finish, fetch); });

@@ -18,7 +18,7 @@ void xsph(State<Real>& state) {
   const auto finish = [&](auto i, auto sums) {
     i.set(state.a_n, i(state.a_n) - params.xsph * Pair{sums[0], sums[1]});
   };
-  sum_over_neighbours(state, std::array<Real, 2>{}, term, finish, Next<false>{});
+  sum_over_neighbours(state, std::array<Real, 2>{}, term, finish, Nothing{});
 }
 
 }  // namespace sluice::cpu::SLUICE_SET
