@@ -85,8 +85,9 @@ std::pair<uint32_t, uint32_t> extremes(Numbers least, Numbers largest, std::inte
   }
 }
 
-/// What is fetched into a cache while lists are walked over. Nothing: the processor fetches what is merely
-/// read in a row by itself.
+/// What is fetched into a cache while lists are walked over, line by line, with registers as wide as a line:
+/// narrower ones compute for about as long as the list takes to come. Nothing: the processor fetches what is
+/// merely read in a row by itself.
 struct Nothing {
   uint64_t entries(const auto&, size_t, uint64_t) const { return 0; }
 };
@@ -121,7 +122,7 @@ template <class Real, class Group, class Fetch, class Visit>
   uint64_t block = 2 * first - first % slice_width;
   uint32_t k = 0;
   for (; k < shortest; ++k, index += slice_width, block += 2 * slice_width) {
-    if constexpr (!std::is_same_v<Fetch, Nothing>) {
+    if constexpr (vector_bytes == 64 && !std::is_same_v<Fetch, Nothing>) {
       __builtin_prefetch(index + ahead, 0, Fetch::locality);
       __builtin_prefetch(gradient + block, 0, Fetch::locality);
       __builtin_prefetch(gradient + block + slice_width, 0, Fetch::locality);

@@ -23,7 +23,11 @@ template <class Real>
 std::array<double, 2> run_both(State<Real>& state, PartFunction<Real> first, PartFunction<Real> second) {
   using Clock = std::chrono::steady_clock;
   constexpr size_t block_size = 1024;
+  constexpr uint64_t second_level = 1 << 20;  // bytes of a list that stays there from sweep to sweep
   const size_t n = state.params.n, reach = state.reach;
+  const uint64_t bytes_per_thread =
+      state.sizes.list * (sizeof(uint32_t) + 2 * sizeof(Real)) / static_cast<uint64_t>(state.threads);
+  const bool fetches = bytes_per_thread > second_level;
   double seconds_of_first = 0, seconds_of_second = 0;
   const auto start = Clock::now();
 #pragma omp parallel num_threads(state.threads) reduction(+ : seconds_of_first, seconds_of_second)
@@ -44,7 +48,7 @@ std::array<double, 2> run_both(State<Real>& state, PartFunction<Real> first, Par
       const size_t to = std::min(from + block_size, own.last);
       run(first, {from, to}, seconds_of_first);
       const size_t ready = to == n ? n : to > reach ? whole_slices(to - reach) : 0;
-      run(second, {done, ready, to == own.last ? 0 : to - done}, seconds_of_second);
+      run(second, {done, ready, fetches && to < own.last ? to - done : 0}, seconds_of_second);
       done = std::max(done, ready);
     }
 #pragma omp barrier
