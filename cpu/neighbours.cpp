@@ -10,78 +10,89 @@
 
 #include "cpu/search.hpp"
 #include "cpu/stages.hpp"
+#include "cpu/transpose.hpp"
 
 namespace sluice::cpu::SLUICE_SET {
 namespace {
 
-/// Candidates per particle up to which those of a slice are put aside in one go; where more of them crowd,
-/// they are searched one by one.
-constexpr uint32_t most_candidates = 480;
-
+template <class Real>
 struct Found {
   /// Neighbours of the particles of a slice, lane by lane; after them stand others, never a number of no
   /// particle.
-  std::array<std::array<uint32_t, most_candidates + block_width>, slice_width> lanes;
-  uint32_t reach;  ///< of all slices so far: numbers of neighbours differ by no more
+  alignas(64) std::array<Neighbours, slice_width> lanes;
+  Cell<Real> cell;  ///< of the last particle searched
+  uint32_t reach;   ///< of all cells so far
 };
-
-template <class Real>
-Candidates candidates_of(const State<Real>& state, uint32_t i) {
-  Candidates candidates{i, {}};
-  size_t row = 0;
-  for_each_row(state.C, state.params.columns, cell_of(state.params, state.x[i]),
-               [&](uint32_t first, uint32_t last) {
-                 candidates.rows[row++] = {first, last};
-               });
-  return candidates;
-}
 
 /// Stores the neighbours of particle i from entry `first` on while they are before `end`; returns their
 /// number.
 template <class Real>
-uint32_t search_crowd(State<Real>& state, const Candidates& candidates, uint64_t first, uint64_t end) {
-  const uint32_t i = candidates.i;
+uint32_t search_crowd(State<Real>& state, uint32_t i, uint64_t first, uint64_t end) {
+  const uint32_t cell = cell_of(state.params, state.x[i]);
   uint32_t count = 0;
-  for (const glm::uvec2 row : candidates.rows) {
-    for (uint32_t j = row.x; j < row.y; ++j) {
+  for_each_row(state.C, state.params.columns, cell, [&](uint32_t row_first, uint32_t row_last) {
+    for (uint32_t j = row_first; j < row_last; ++j) {
       const glm::vec<2, Real> x_ij = state.x[i] - state.x[j];
       if (!(glm::dot(x_ij, x_ij) < state.params.support_squared) || j == i) continue;
       const uint64_t entry = first + uint64_t{slice_width} * count++;
       if (entry < end) state.index[entry] = j;
     }
-  }
+  });
   return count;
+}
+
+/// Finds the neighbours of particles first to last - 1 and counts them, as long as there is no crowd; returns
+/// whether there is none.
+template <class Real>
+bool find_slice(const State<Real>& state, Found<Real>& found, uint32_t first, uint32_t last,
+                uint32_t* counts) {
+  std::array<uint32_t, slice_width> places;
+  for (uint32_t i = first; i < last; ++i) places[i - first] = cell_of(state.params, state.x[i]);
+  bool crowd = false;
+  for (uint32_t i = first; i < last; ++i) {
+    if (places[i - first] != found.cell.place) {
+      enter(state, places[i - first], found.cell);
+      found.reach = std::max(found.reach, found.cell.reach);
+    }
+    crowd |= found.cell.crowded;
+    if (crowd) continue;
+    counts[i - first] = find(found.cell, i, state.x[i], state.params.support_squared, found.lanes[i - first]);
+  }
+  return !crowd;
+}
+
+/// Writes the first `longest` neighbours found to `index`.
+template <class Real>
+void store_slice(const Found<Real>& found, uint32_t longest, uint32_t* index) {
+  for (uint32_t k = 0; k < longest; k += 4, index += 4 * slice_width) {
+    for (uint32_t lane = 0; lane < slice_width; lane += word_count) {
+      const auto entries = transposed(&found.lanes[lane], k);
+      for (uint32_t e = 0; e < std::min(longest - k, 4u); ++e)
+        store(entries[e], index + e * slice_width + lane);
+    }
+  }
 }
 
 /// Makes the lists of the slice of particle `first`, from `cursor` on if there is room for them before `end`;
 /// returns the length of the longest.
 template <class Real>
-uint32_t search_slice(State<Real>& state, Found& found, uint32_t first, uint64_t cursor, uint64_t end) {
-  const uint32_t n = state.params.n, lanes = std::min(slice_width, n - first);
-  std::array<Candidates, slice_width> candidates;
-  bool crowd = n < block_width;
-  for (uint32_t lane = 0; lane < lanes; ++lane) {
-    const auto& [i, rows] = candidates[lane] = candidates_of(state, first + lane);
-    found.reach = std::max({found.reach, i - rows.front().x, rows.back().y - i});
-    crowd |= candidates[lane].count() > most_candidates;
-  }
+uint32_t search_slice(State<Real>& state, Found<Real>& found, uint32_t first, uint64_t cursor, uint64_t end) {
+  const uint32_t last = std::min(first + slice_width, state.params.n);
   std::array<uint32_t, slice_width> counts{};
-  for (uint32_t lane = 0; lane < lanes; ++lane) {
-    counts[lane] = crowd ? search_crowd(state, candidates[lane], cursor + lane, end)
-                         : find(state.x.data(), n, state.params.support_squared, candidates[lane],
-                                found.lanes[lane].data());
-    state.list[first + lane] = {static_cast<uint32_t>(cursor + lane), counts[lane]};
-  }
+  const bool crowd = !find_slice(state, found, first, last, counts.data());
+  for (uint32_t i = first; crowd && i < last; ++i)
+    counts[i - first] = search_crowd(state, i, cursor + (i - first), end);
+  for (uint32_t i = first; i < last; ++i)
+    state.list[i] = {static_cast<uint32_t>(cursor + (i - first)), counts[i - first]};
   const uint32_t longest = *std::max_element(counts.begin(), counts.end());
   if (cursor + uint64_t{slice_width} * longest > end) return longest;
-  for (uint32_t k = 0; k < longest; ++k) {
-    uint32_t* index = &state.index[cursor + uint64_t{slice_width} * k];
-    for (uint32_t lane = 0; lane < slice_width; ++lane) {
-      if (!crowd)
-        index[lane] = found.lanes[lane][k];
-      else if (k >= counts[lane])
-        index[lane] = first;
-    }
+  if (!crowd) {
+    store_slice(found, longest, &state.index[cursor]);
+    return longest;
+  }
+  for (uint32_t lane = 0; lane < slice_width; ++lane) {
+    for (uint32_t k = counts[lane]; k < longest; ++k)
+      state.index[cursor + uint64_t{slice_width} * k + lane] = first;
   }
   return longest;
 }
@@ -103,7 +114,7 @@ void neighbours(State<Real>& state) {
     const uint64_t begin = share(state.sizes.list / slice_width, part) * slice_width;
     const uint64_t end = share(state.sizes.list / slice_width, part + 1) * slice_width;
     uint64_t cursor = begin;
-    Found found{};
+    Found<Real> found{};
     for (uint64_t slice = share(slices, part); slice < share(slices, part + 1); ++slice) {
       const uint32_t longest =
           search_slice(state, found, static_cast<uint32_t>(slice * slice_width), cursor, end);

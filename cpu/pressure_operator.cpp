@@ -10,11 +10,18 @@ void pressure_operator(State<Real>& state, Range part) {
   const ParamsOf<Real>& params = state.params;
   const bool walls = state.needs.boundary;
   const auto term = [&](auto i, auto j, auto dW) { return std::array{dot(i(state.a_p) - j(state.a_p), dW)}; };
-  sum_over_neighbours(state, part, std::array<Real, 1>{}, term, [&](auto i, auto sums) {
-    auto sum = params.m * sums[0];
-    if (walls) sum += dot(i(state.a_p), i(state.wall_gradient));
-    i.set(state.Ap, (params.dt * params.dt) * sum);
-  });
+  const auto finish = [&](auto i, auto sums) {
+    auto total = params.m * sums[0];
+    if (walls) total += dot(i(state.a_p), i(state.wall_gradient));
+    i.set(state.Ap, (params.dt * params.dt) * total);
+  };
+  const auto sum = [&](auto fetch) {
+    sum_over_neighbours(state, part, std::array<Real, 1>{}, term, finish, fetch);
+  };
+  if (part.ahead > 0)
+    sum(Further{part.ahead});
+  else
+    sum(Nothing{});
 }
 
 }  // namespace sluice::cpu::SLUICE_SET

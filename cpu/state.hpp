@@ -40,6 +40,7 @@ struct ElementOf<Real, Type::uvec2> {
 /// Particles first to last - 1. Parts of a whole begin with a slice of the neighbour list.
 struct Range {
   size_t first, last;
+  size_t ahead = 0;  ///< so many particles further on another stage goes over the neighbour list next
 };
 
 /// The share of `thread` when `threads` divide `n` particles.

@@ -85,27 +85,60 @@ std::pair<uint32_t, uint32_t> extremes(Numbers least, Numbers largest, std::inte
   }
 }
 
+/// What is fetched into a cache while lists are walked over, line by line, with registers as wide as a line:
+/// narrower ones compute for about as long as the list takes to come. Nothing: the processor fetches what is
+/// merely read in a row by itself.
+struct Nothing {
+  uint64_t entries(const auto&, size_t, uint64_t) const { return 0; }
+};
+/// Entries that come next, into the first level.
+struct Next {
+  static constexpr int locality = 3;
+  uint64_t entries(const auto&, size_t, uint64_t) const { return 8 * slice_width; }
+};
+/// The lists of particles so many further on, where another stage goes next, into the second level.
+struct Further {
+  static constexpr int locality = 2;
+  size_t particles;
+
+  uint64_t entries(const auto& state, size_t i, uint64_t first) const {
+    return state.list[std::min<size_t>(i + particles, state.params.n - 1)].x - first;
+  }
+};
+
 /// Walks over the lists of particles i: calls visit(block, j, there) for their first neighbours j, their
 /// second ones and so on. `block` is where the x components of the gradients stand. `there` is for those():
 /// where a list has ended, j is a particle, but none to count.
-template <class Real, class Group, class Visit>
-[[gnu::always_inline]] inline void walk(const State<Real>& state, const Group& i, const Visit& visit) {
+template <class Real, class Group, class Fetch, class Visit>
+[[gnu::always_inline]] inline void walk(const State<Real>& state, const Group& i, Fetch fetch,
+                                        const Visit& visit) {
   const Indices<Real> length = lengths_of(i, state.list);
   const auto lengths = __builtin_convertvector(length, Mask<Real>);
   const auto [shortest, longest] =
       extremes(length, length, std::make_integer_sequence<int, lane_count<Real> / 2>());
-  const uint64_t first = state.list[i.first].x;
+  const uint64_t first = state.list[i.first].x, ahead = fetch.entries(state, i.first, first);
   const uint32_t* index = state.index.data() + first;
+  const Real* gradient = state.gradient.data() + 2 * ahead;
   uint64_t block = 2 * first - first % slice_width;
   uint32_t k = 0;
-  for (; k < shortest; ++k, index += slice_width, block += 2 * slice_width)
+  for (; k < shortest; ++k, index += slice_width, block += 2 * slice_width) {
+    if constexpr (vector_bytes == 64 && !std::is_same_v<Fetch, Nothing>) {
+      __builtin_prefetch(index + ahead, 0, Fetch::locality);
+      __builtin_prefetch(gradient + block, 0, Fetch::locality);
+      __builtin_prefetch(gradient + block + slice_width, 0, Fetch::locality);
+    }
     visit(block, Particles<Real>{load_as<Indices<Real>>(index)}, Everyone{});
+  }
   // Where a list has ended, its entries may hold anything.
   for (; k < longest; ++k, index += slice_width, block += 2 * slice_width) {
     const auto any = load_as<Indices<Real>>(index);
     visit(block, Particles<Real>{length > k ? any : static_cast<uint32_t>(i.first) - Indices<Real>{}},
           lengths > static_cast<MaskElement<Real>>(k));
   }
+}
+template <class Real, class Group, class Visit>
+[[gnu::always_inline]] inline void walk(const State<Real>& state, const Group& i, const Visit& visit) {
+  walk(state, i, Next{}, visit);
 }
 
 /// Calls f(i) for the particles of a part, as many at a time as fit into a register.
@@ -126,14 +159,14 @@ void for_each_group(const State<Real>& state, F&& f) {
 /// Calls finish(i, sums) for the particles i of a part, as many at a time as fit into a register, with the
 /// sums of what term(i, j, dW) gives for their neighbours j: an array of values, as many as `start` has,
 /// which are added before. i(state.q) are the particles' values of q, i.set(state.q, values) changes them.
-template <class Real, size_t count, class Term, class Finish>
+template <class Real, size_t count, class Term, class Finish, class Fetch = Next>
 void sum_over_neighbours(const State<Real>& state, Range part, const std::array<Real, count>& start,
-                         const Term& term, const Finish& finish) {
+                         const Term& term, const Finish& finish, Fetch fetch = {}) {
   const Real* gradient = state.gradient.data();
   for_each_group<Real>(part, [&](const auto& i) {
     std::array<Vector<Real>, count> sums;
     for (size_t c = 0; c < count; ++c) sums[c] = broadcast(start[c]);
-    walk(state, i, [&](uint64_t block, const Particles<Real>& j, auto there) {
+    walk(state, i, fetch, [&](uint64_t block, const Particles<Real>& j, auto there) {
       const Pair<Vector<Real>> dW{load(gradient + block), load(gradient + block + slice_width)};
       const auto terms = term(i, j, dW);
       for (size_t c = 0; c < count; ++c) sums[c] += those(there, terms[c]);
@@ -143,10 +176,10 @@ void sum_over_neighbours(const State<Real>& state, Range part, const std::array<
 }
 
 /// The same for all particles.
-template <class Real, size_t count, class Term, class Finish>
+template <class Real, size_t count, class Term, class Finish, class Fetch = Next>
 void sum_over_neighbours(const State<Real>& state, const std::array<Real, count>& start, const Term& term,
-                         const Finish& finish) {
-  for_each_part(state, [&](Range part) { sum_over_neighbours(state, part, start, term, finish); });
+                         const Finish& finish, Fetch fetch = {}) {
+  for_each_part(state, [&](Range part) { sum_over_neighbours(state, part, start, term, finish, fetch); });
 }
 
 }  // namespace sluice::cpu::SLUICE_SET

@@ -15,9 +15,10 @@ void xsph(State<Real>& state) {
     const auto weight = kernel(params, square_root(dot(x_ij, x_ij))) / j(state.rho);
     return std::array{weight * v_ij.x, weight * v_ij.y};
   };
-  sum_over_neighbours(state, std::array<Real, 2>{}, term, [&](auto i, auto sums) {
+  const auto finish = [&](auto i, auto sums) {
     i.set(state.a_n, i(state.a_n) - params.xsph * Pair{sums[0], sums[1]});
-  });
+  };
+  sum_over_neighbours(state, std::array<Real, 2>{}, term, finish, Nothing{});
 }
 
 }  // namespace sluice::cpu::SLUICE_SET

@@ -92,15 +92,22 @@ void expect_found_in_any_ranges() {
   const auto state = searched<Real>(open_scene(20), scattered());
   const uint32_t n = state.params.n;
   for (uint32_t i = 0; i < n; ++i) {
-    // Ranges of any length and place, the last of all included.
-    const cpu::Candidates candidates{i, {{{i / 2, i / 2 + i % 40}, {i, i}, {n - 1 - i % 35, n}}}};
-    std::vector<uint32_t> expected, found(candidates.count() + cpu::block_width);
+    // Ranges of any length and place, the last of all included; only the middle one has i.
+    const std::array<glm::uvec2, 3> rows{{{i / 2, std::min(i / 2 + i % 40, i)},
+                                          {i - i % 7, std::min(i + 1 + i % 20, n)},
+                                          {std::max(n - 1 - i % 35, i + 1), n}}};
+    std::vector<uint32_t> expected;
     const auto all = neighbours_of(state, i);
-    for (const glm::uvec2 row : candidates.rows) {
+    for (const glm::uvec2 row : rows) {
       std::copy_if(all.begin(), all.end(), std::back_inserter(expected),
                    [&](uint32_t j) { return row.x <= j && j < row.y; });
     }
-    found.resize(cpu::find(state.x.data(), n, state.params.support_squared, candidates, found.data()));
+    cpu::Cell<Real> cell;
+    cpu::Neighbours neighbours;
+    cpu::set_candidates(state.x, rows, cell);
+    ASSERT_FALSE(cell.crowded);
+    const uint32_t count = cpu::find(cell, i, state.x[i], state.params.support_squared, neighbours);
+    const std::vector<uint32_t> found(neighbours.begin(), neighbours.begin() + count);
     ASSERT_EQ(found, expected) << i;
   }
 }
