@@ -195,6 +195,8 @@ class CpuBackend final : public Backend {
 }  // namespace
 
 std::unique_ptr<Backend> make_backend(Precision precision, int threads, Instructions instructions) {
+  if (instructions > widest_instructions())
+    throw std::invalid_argument("this processor, or this build, does not have these instructions");
   if (precision == Precision::double_) return std::make_unique<CpuBackend<double>>(threads, instructions);
   return std::make_unique<CpuBackend<float>>(threads, instructions);
 }
@@ -204,9 +206,10 @@ Instructions widest_instructions() {
   const auto knows = [](auto... names) { return (... && names); };
   if (knows(__builtin_cpu_supports("avx512f"), __builtin_cpu_supports("avx512bw"),
             __builtin_cpu_supports("avx512dq"), __builtin_cpu_supports("avx512vl"),
-            __builtin_cpu_supports("bmi2")))
+            __builtin_cpu_supports("bmi2"), __builtin_cpu_supports("popcnt")))
     return Instructions::avx512;
-  if (knows(__builtin_cpu_supports("avx2"), __builtin_cpu_supports("bmi2"))) return Instructions::avx2;
+  if (knows(__builtin_cpu_supports("avx2"), __builtin_cpu_supports("bmi2"), __builtin_cpu_supports("popcnt")))
+    return Instructions::avx2;
 #endif
   return Instructions::baseline;
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/larger.hpp"
 #include "tests/support/simulation.hpp"
 
 namespace sluice::test {
@@ -73,7 +74,7 @@ struct Solve {
 
 double largest(const std::vector<double>& values) {
   double found = 0;
-  for (const double value : values) found = std::max(found, std::abs(value));
+  for (const double value : values) found = larger(found, std::abs(value));
   return found;
 }
 
@@ -127,21 +128,31 @@ TEST(PressureSolve, AtTheCapTheBestIsKept) {
     const StepReport report = solve.simulation.run(1).back();
     EXPECT_FALSE(report.converged);
     EXPECT_EQ(report.iterations, 400u);
-    solve.solve_from(std::vector<double>(solve.n(), 1e4));
+    solve.solve_from(std::vector<double>(solve.n(), 10.0));
     EXPECT_EQ(solve.outcome, sluice::Solve::capped);
-    const double best = solve.values(Field::solve, 4)[1];
-    // If the last q was the best, it has been updated once more.
-    const bool was_last = solve.values(Field::solve, 4)[0] == best;
+    const std::vector<double> measured = solve.values(Field::solve, 4);
     const double e = solve.error_of_first_sweep();
-    if (was_last) {
-      EXPECT_LT(e, 2 * best);
+    if (solver == "barzilai-borwein") {
+      EXPECT_EQ(measured[3], -1);
+      EXPECT_EQ(e, measured[1]);
     } else {
-      EXPECT_EQ(e, best);
+      EXPECT_EQ(measured[3], 1) << "the last was the best, and has been updated once more";
+      EXPECT_LE(e, measured[1]);
     }
   }
 }
 
 /// A solve that goes astray: far too long steps.
+// Not even where one sweep is all there is.
+TEST(PressureSolve, AFirstGuessFarOffIsNeverWhatIsLeft) {
+  for (const std::string most : {"1", "2"}) {
+    Solve solve({iisph("max_iterations=" + most), iisph("min_iterations=1"), iisph("tolerance=1e-300")});
+    const double q = largest(solve.values(Field::q));
+    solve.solve_from(std::vector<double>(solve.n(), 1e6 * q));
+    EXPECT_LT(largest(solve.values(Field::q)), 100 * q) << most;
+  }
+}
+
 TEST(PressureSolve, ADivergingSolveGoesBackAndIsReported) {
   Solve solve({iisph("omega=1.9"), iisph("tolerance=1e-6")}, "breaking_dam", 2);
   const uint32_t sweeps = solve.solve_from(std::vector<double>(solve.n(), 0.0));
@@ -170,6 +181,7 @@ TEST(PressureSolve, AFirstGuessFarOffIsDropped) {
   const uint32_t sweeps = solve.solve_from(std::vector<double>(solve.n(), 1e4 * q));
   EXPECT_EQ(solve.outcome, sluice::Solve::converged);
   EXPECT_LE(sweeps, from_zero + 4);
+  EXPECT_LT(relative_difference(solve.values(Field::q), expected), 0.3);  // both to a tolerance of 1e-3
   Solve jacobi({});
   const uint32_t jacobi_from_zero = jacobi.solve_from(std::vector<double>(jacobi.n(), 0.0));
   const std::vector<double> jacobi_expected = jacobi.values(Field::q);
@@ -194,8 +206,26 @@ TEST(PressureSolve, WithoutASourceThereIsNoPressure) {
   }
 }
 
+// The update after the last measurement must not lead away, though a Barzilai-Borwein step may.
+TEST(PressureSolve, WhatASolveLeavesIsWithinTheTolerance) {
+  for (const Settings& stop : {Settings{iisph("stop=residual"), iisph("tolerance=1e-2")}, Settings{}}) {
+    for (const std::string solver : {"jacobi", "barzilai-borwein"}) {
+      for (const std::string dt : {"0.02", "0.08"}) {
+        Solve solve(with(stop, {iisph("solver=" + solver), iisph("wall=symmetric"), "time.dt=" + dt}),
+                    "breaking_dam", 0);
+        const double tolerance = solve.simulation.scene.iisph.tolerance;
+        for (int step = 0; step < 100; ++step) {
+          EXPECT_TRUE(solve.simulation.run(1).back().converged);
+          EXPECT_LT(solve.error_of_first_sweep(), 1.5 * tolerance) << solver << ", dt " << dt << ", " << step;
+        }
+      }
+    }
+  }
+}
+
 TEST(PressureSolve, ResidualStopBoundsTheRelativeResidual) {
-  Solve solve({iisph("stop=residual"), iisph("tolerance=1e-2"), iisph("wall=symmetric")});
+  Solve solve({iisph("stop=residual"), iisph("tolerance=1e-2"), iisph("wall=symmetric"),
+               iisph("solver=barzilai-borwein")});
   solve.solve_from(std::vector<double>(solve.n(), 0.0));
   EXPECT_EQ(solve.outcome, sluice::Solve::converged);
   const std::vector<double> q = solve.values(Field::q), r = solve.residuals(), s = solve.values(Field::s);
@@ -222,7 +252,7 @@ TEST(PressureSolve, BarzilaiBorweinNeedsAFractionOfTheSweepsAtNoMoreCompression)
     const auto steps = static_cast<double>(reports.size());
     return std::pair(sweeps / steps, compression / steps);
   };
-  for (const auto& [dt, most] : {std::pair{"0.04", 4.0}, std::pair{"0.08", 8.0}}) {
+  for (const auto& [dt, most] : {std::pair{"0.04", 4.2}, std::pair{"0.08", 9.0}}) {
     const auto [jacobi_sweeps, jacobi_compression] = run("jacobi", dt);
     const auto [sweeps, compression] = run("barzilai-borwein", dt);
     EXPECT_LT(sweeps, most) << dt;

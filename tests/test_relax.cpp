@@ -64,6 +64,19 @@ TEST(Relax, WorksForSsphScenesAndInFloat) {
   EXPECT_LT(largest(start(scene, Precision::single_).density), 1.01);
 }
 
+// The wall is the scene's, whatever its method.
+TEST(Relax, IsTheSameWithEveryMethod) {
+  const auto relaxed = [](const std::string& method, const std::string& wall) {
+    return start(shipped("breaking_dam",
+                         {"fluid.jitter=0.15", "fluid.relax=5", "pressure.method=" + method,
+                          "pressure.iisph.wall=" + wall, "pressure.iisph.solver=barzilai-borwein"}))
+        .x;
+  };
+  EXPECT_EQ(relaxed("ssph", "symmetric"), relaxed("iisph", "symmetric"));
+  EXPECT_EQ(relaxed("ssph", "thesis"), relaxed("iisph", "thesis"));
+  EXPECT_NE(relaxed("ssph", "symmetric"), relaxed("ssph", "thesis"));
+}
+
 // The relaxed dam starts more quietly than the jittered one: jitter without relaxation releases energy.
 TEST(Relax, RelaxedStartReleasesLessEnergyThanAJitteredOne) {
   auto overrides = jittered;

@@ -66,6 +66,9 @@ std::vector<Scene> scenes_of_all_models() {
                                                 "time.dt=0.002", "fluid.jitter=0.1"}));
     }
   }
+  scenes.push_back(shipped("breaking_dam", {"pressure.iisph.solver=barzilai-borwein",
+                                            "pressure.iisph.wall=symmetric", "particles.spacing=2.5",
+                                            "viscosity.coefficient=20", "time.dt=0.02", "fluid.jitter=0.1"}));
   scenes.push_back(shipped("iisph_box"));
   scenes.push_back(shipped("wcsph_box"));
   return scenes;

@@ -48,18 +48,24 @@ TEST(DeepColumns, TheSymmetricWallHoldsThem) {
   }
 }
 
+// Some of these runs become invalid; none hangs, and none fails in silence.
 TEST(DeepColumns, WithTheThesissWallEverySolveEnds) {
+  size_t not_converged = 0;
   for (const uint32_t depth : {30u, 100u, 200u}) {
     for (const double nu : {0.0, 200.0}) {
       for (const double lambda : {0.4, 0.8}) {
         Simulation simulation(Column{10, depth, nu, lambda}.load({}));
-        for (const StepReport& report : simulation.run(static_cast<uint64_t>(20 / simulation.scene.dt))) {
-          ASSERT_LE(report.iterations, 1000u);
+        const auto steps = static_cast<uint64_t>(20 / simulation.scene.dt);
+        const auto reports = simulation.run(steps);
+        EXPECT_TRUE(reports.size() == steps || simulation.simulator->failure());
+        for (const StepReport& report : reports) {
           ASSERT_TRUE(std::isfinite(report.residual));
+          if (!report.converged) ++not_converged;
         }
       }
     }
   }
+  EXPECT_GT(not_converged, 10u);
 }
 
 TEST(PressureAtRest, OfATankIsThatOfWater) {
