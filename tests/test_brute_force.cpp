@@ -114,7 +114,7 @@ TEST(BruteForceTest, EveryWayToSolveThePressureSystemEqualsTheEquations) {
           EXPECT_NEAR(report.residual, reference.residual, 1e-9 * reference.residual) << step;
           EXPECT_LT(relative_difference(field<double>(simulation, Field::p), reference.p), 1e-9) << step;
         }
-        if (stop == "max_iterations=3") EXPECT_GT(capped, 0);
+        EXPECT_TRUE(capped > 0 || stop != "max_iterations=3");
         dropped += reference.dropped;
         gone_back += reference.gone_back;
       }
