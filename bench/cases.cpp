@@ -101,9 +101,12 @@ void Case::freeze() {
                              ": the neighbour list is too short, its stages would be timed wrongly");
   }
   run(plan().forces);
+  start_solve();
   run(plan().sweep);
   run({Stage::pressure_acceleration});
 }
+
+void Case::start_solve() { backend_->upload(Field::sweeps, std::array<uint32_t, 2>{}); }
 
 void Case::run(const std::vector<Stage>& stages) {
   for (const Stage stage : stages) backend_->run(stage);

@@ -74,6 +74,9 @@ class Case {
   void freeze();
   bool frozen() const { return frozen_; }
 
+  /// The sweep that is run next is the first of its solve.
+  void start_solve();
+
   void run(const std::vector<Stage>& stages);
 
   /// Calls `f`, which runs `stages` any number of times, and then puts back what they changed, so that those
