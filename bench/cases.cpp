@@ -106,7 +106,9 @@ void Case::freeze() {
   run({Stage::pressure_acceleration});
 }
 
-void Case::start_solve() { backend_->upload(Field::sweeps, std::array<uint32_t, 2>{}); }
+void Case::start_solve() {
+  if (!plan().sweep.empty()) backend_->upload(Field::sweeps, std::array<uint32_t, 2>{});
+}
 
 void Case::run(const std::vector<Stage>& stages) {
   for (const Stage stage : stages) backend_->run(stage);
