@@ -14,7 +14,8 @@ void add_stage_benchmarks(const CaseKey& key, const std::shared_ptr<CaseStore>& 
 /// Whole steps; for IISPH also sweeps, and for one thread in float beside them the yardstick's.
 void add_step_benchmarks(const CaseKey& key, const std::shared_ptr<CaseStore>& store);
 
-/// Copy of an array much larger than the caches, as in STREAM [McCalpin 1995]: what memory can give.
-void add_copy_benchmark(int threads);
+/// Copy of an array much larger than the caches, as in STREAM [McCalpin 1995]: what memory can give. And
+/// reading one that fits into the last-level cache.
+void add_bandwidth_benchmarks(int threads);
 
 }  // namespace sluice::bench

@@ -54,7 +54,7 @@ Options parse(int argc, char** argv) {
 }
 
 void add_benchmarks(bool million) {
-  for (const int threads : {1, 2}) add_copy_benchmark(threads);
+  for (const int threads : {1, 2}) add_bandwidth_benchmarks(threads);
   const auto store = std::make_shared<CaseStore>();
   std::vector<uint32_t> sizes = {1'000, 10'000, 100'000};
   if (million) sizes.push_back(1'000'000);

@@ -186,7 +186,7 @@ constexpr std::array keys{
     SceneKey{
         "pressure.iisph.solver", choice, "", "\"jacobi\"", any,
         "How the system is iterated: \"jacobi\" as in [Hunkler 2022]; \"barzilai-borwein\" with steps of "
-        "its own choice, two to six times fewer.",
+        "its own choice, and up to six times fewer of them.",
         iisph_solvers},
     SceneKey{"pressure.iisph.wall", choice, "", "\"thesis\"", any,
              "The wall term of a \"mirror\" boundary: \"thesis\" as in [Hunkler 2022]; \"symmetric\" counts "
@@ -195,8 +195,7 @@ constexpr std::array keys{
              iisph_walls},
     SceneKey{"pressure.iisph.stop", choice, "", "\"density\"", any,
              "What `tolerance` bounds: \"density\", the mean density error; \"residual\", the residual "
-             "relative to "
-             "the source.",
+             "relative to the source, for which 1e-2 is tight.",
              iisph_stops},
     SceneKey{"pressure.iisph.source_weight", number, "", "1.0",
              KeyRange{.low = 0, .high = 1, .low_excluded = true}, "Weight of rho0 - rho in the source."},

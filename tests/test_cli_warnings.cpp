@@ -72,12 +72,13 @@ TEST(CliWarnings, AnInvalidRunNamesWhatMayHelp) {
 }
 
 TEST(CliWarnings, StepsThatDidNotConverge) {
+  expect_warning({"--steps", "100", "--set", "pressure.iisph.max_iterations=2"},
+                 "of 100 steps did not converge; use pressure.iisph.solver \"barzilai-borwein\", "
+                 "pressure.iisph.wall \"symmetric\", a smaller time.dt or");
   expect_warning(
-      {"--steps", "100", "--set", "pressure.iisph.max_iterations=2"},
-      "of 100 steps did not converge; use pressure.iisph.wall \"symmetric\", a smaller time.dt or");
-  expect_warning({"--steps", "100", "--set", "pressure.iisph.max_iterations=2", "--set",
-                  "pressure.iisph.wall=symmetric"},
-                 "of 100 steps did not converge; use a smaller time.dt or");
+      {"--steps", "100", "--set", "pressure.iisph.max_iterations=2", "--set", "pressure.iisph.wall=symmetric",
+       "--set", "pressure.iisph.solver=barzilai-borwein", "--set", "pressure.iisph.tolerance=1e-6"},
+      "of 100 steps did not converge; use a smaller time.dt or");
 }
 
 TEST(CliWarnings, MovesOfMoreThanASpacing) {

@@ -2,6 +2,7 @@
 #include "apps/sluice/progress.hpp"
 
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -9,6 +10,16 @@
 #include "core/text.hpp"
 
 namespace sluice {
+namespace {
+
+/// Of the terminal; a line that is wrapped could not be rewritten.
+size_t columns() {
+  winsize size{};
+  const bool known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+  return known ? size.ws_col : std::string::npos;
+}
+
+}  // namespace
 
 Progress::Progress(uint64_t total, double duration, std::string units, bool quiet)
     : total_(total),
@@ -29,14 +40,14 @@ void Progress::show(uint64_t count, const StepReport& report) {
   drawn_ = true;
   const double elapsed = std::chrono::duration<double>(now - start_).count();
   const double done = static_cast<double>(count) / static_cast<double>(total_);
-  fmt::print(stderr, "\r{:3.0f} %  t {:.4g}/{:.4g}  {:.4g} {}/s  dt {:.3g}  ", 100 * done, report.time,
-             duration_, static_cast<double>(count) / elapsed, units_, report.dt);
-  if (report.iterations > 0) {
-    fmt::print(stderr, "iterations {}  ", report.iterations);
-    if (not_converged_ > 0) fmt::print(stderr, "not converged {}  ", not_converged_);
-  }
-  fmt::print(stderr, "compression {:.1e}  left {}\x1b[K", report.diagnostics.mean_compression,
-             duration_text(elapsed * (1 - done) / done));
+  std::string line =
+      fmt::format("{:3.0f} %  t {:.4g}/{:.4g}  {:.4g} {}/s  dt {:.3g}  ", 100 * done, report.time, duration_,
+                  static_cast<double>(count) / elapsed, units_, report.dt);
+  if (report.iterations > 0) line += fmt::format("iterations {}  ", report.iterations);
+  if (not_converged_ > 0) line += fmt::format("not converged {}  ", not_converged_);
+  line += fmt::format("compression {:.1e}  left {}", report.diagnostics.mean_compression,
+                      duration_text(elapsed * (1 - done) / done));
+  fmt::print(stderr, "\r{}\x1b[K", line.substr(0, columns()));
   std::fflush(stderr);
 }
 

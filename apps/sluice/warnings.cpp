@@ -83,6 +83,15 @@ std::string remedy(const Scene& scene, const RunStatistics& statistics, uint64_t
   return smaller_dt + " often helps";
 }
 
+/// What may help a pressure solve, in the order in which to try it.
+std::string solver_remedy(const Scene& scene) {
+  std::string text;
+  if (scene.iisph.solver == Solver::jacobi) text += "pressure.iisph.solver \"barzilai-borwein\", ";
+  if (scene.boundary_model == BoundaryModel::mirror && scene.iisph.wall == Wall::thesis)
+    text += "pressure.iisph.wall \"symmetric\", ";
+  return text + fmt::format("a smaller {} or a larger pressure.iisph.max_iterations", dt_key(scene));
+}
+
 }  // namespace
 
 std::vector<std::string> beyond_limits(const Scene& scene) {
@@ -125,22 +134,20 @@ std::string failure_text(const Scene& scene, const RunStatistics& statistics, co
 
 void warn_of_poor_run(const Scene& scene, const RunStatistics& statistics, bool quiet) {
   if (statistics.not_converged() > 0) {
-    const bool thesis_wall =
-        scene.boundary_model == BoundaryModel::mirror && scene.iisph.wall == Wall::thesis;
-    warn(quiet, fmt::format("the pressure of {} of {} steps did not converge; use {}a smaller {} or a larger "
-                            "pressure.iisph.max_iterations",
-                            statistics.not_converged(), statistics.steps(),
-                            thesis_wall ? "pressure.iisph.wall \"symmetric\", " : "", dt_key(scene)));
+    warn(quiet, fmt::format("the pressure of {} of {} steps did not converge; use {}",
+                            statistics.not_converged(), statistics.steps(), solver_remedy(scene)));
   }
   if (statistics.cfl_max() > 1) {
     warn(quiet, fmt::format("particles moved by up to {:.3g} spacings in one step; use a smaller {}",
                             statistics.cfl_max(), dt_key(scene)));
   }
   if (statistics.compression_mean() > 0.05) {
-    warn(quiet,
-         fmt::format("the fluid is compressed by {:.0f} % on average; use a larger stiffness or a smaller "
-                     "time.dt",
-                     100 * statistics.compression_mean()));
+    warn(quiet, fmt::format("the fluid is compressed by {:.0f} % on average; use {}a smaller {}",
+                            100 * statistics.compression_mean(),
+                            scene.method == PressureMethod::iisph
+                                ? ""
+                                : fmt::format("a larger {} or ", stiffness_key(scene.method)),
+                            dt_key(scene)));
   }
   if (statistics.lost() > 0) warn(quiet, fmt::format("{} particles left the domain", statistics.lost()));
 }
