@@ -10,8 +10,12 @@ void Backend::sweep(const std::vector<Stage>& stages, uint32_t times) {
     std::array<uint32_t, 2> sweeps{};
     download(Field::sweeps, sweeps);
     if (static_cast<Solve>(sweeps[1]) != Solve::unfinished) return;
-    for (const Stage stage : stages) run(stage);
+    run_sweep(stages);
   }
+}
+
+void Backend::run_sweep(const std::vector<Stage>& stages) {
+  for (const Stage stage : stages) run(stage);
 }
 
 }  // namespace sluice

@@ -47,6 +47,10 @@ class Backend {
   virtual std::string device() const = 0;  ///< what it runs on, for people
   virtual Precision precision() const = 0;
   virtual int threads() const = 0;
+
+ protected:
+  /// Runs the stages of a sweep once, one after the other.
+  virtual void run_sweep(const std::vector<Stage>& stages);
 };
 
 }  // namespace sluice

@@ -105,23 +105,6 @@ class CpuBackend final : public Backend {
     time_of(stage) += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
 
-  void sweep(const std::vector<Stage>& stages, uint32_t times) override {
-    for (uint32_t k = 0; k < times; ++k) {
-      if (static_cast<Solve>(state_.sweeps[0].y) != Solve::unfinished) return;
-      for (size_t s = 0; s < stages.size(); ++s) {
-        if (stages[s] == Stage::pressure_acceleration && s + 1 < stages.size() &&
-            stages[s + 1] == Stage::pressure_operator) {
-          const auto [seconds, share] =
-              run_both(state_, stages_.pressure_acceleration, stages_.pressure_operator);
-          time_of(stages[s]) += seconds * share;
-          time_of(stages[++s]) += seconds * (1 - share);
-        } else {
-          run(stages[s]);
-        }
-      }
-    }
-  }
-
   void swap(Field a, Field b) override {
     visit_field(state_, a, [&]<class A>(A& left) {
       visit_field(state_, b, [&]<class B>(B& right) {
@@ -183,6 +166,22 @@ class CpuBackend final : public Backend {
 
  private:
   static constexpr uint64_t particles_per_thread = 1500;
+
+  /// Two of the stages go over the list together.
+  void run_sweep(const std::vector<Stage>& stages) override {
+    for (size_t s = 0; s < stages.size(); ++s) {
+      const bool together = stages[s] == Stage::pressure_acceleration && s + 1 < stages.size() &&
+                            stages[s + 1] == Stage::pressure_operator;
+      if (!together) {
+        run(stages[s]);
+        continue;
+      }
+      const auto [seconds, share] =
+          run_both(state_, stages_.pressure_acceleration, stages_.pressure_operator);
+      time_of(stages[s]) += seconds * share;
+      time_of(stages[++s]) += seconds * (1 - share);
+    }
+  }
 
   double& time_of(Stage stage) { return seconds_[static_cast<uint32_t>(stage)]; }
 

@@ -88,10 +88,10 @@ TEST(CliProcess, WithoutPicturesThereIsNoOpenGL) {
 }
 
 /// The text of the terminal, its lines drawn over each other as separate lines.
-std::string shown_on_terminal(Words words) {
+std::string shown_on_terminal(Words words, unsigned short columns = 0) {
   words.insert(words.begin(),
                {"run", "breaking_dam", "--backend", "cpu", "--threads", "1", "--precision", "double"});
-  RunningProgram program(words, {.environment = {}, .terminal = true});
+  RunningProgram program(words, {.environment = {}, .terminal = true, .columns = columns});
   const ProgramResult result = program.wait();
   EXPECT_EQ(result.code, 0);
   return result.err;
@@ -113,6 +113,16 @@ TEST(CliProcess, ATerminalSeesProgress) {
   const std::string capped = shown_on_terminal(
       {"--steps", "3", "--set", "pressure.iisph.max_iterations=2", "--set", "pressure.iisph.tolerance=1e-6"});
   EXPECT_TRUE(std::regex_search(capped, std::regex("iterations 2  not converged [123]  "))) << capped;
+}
+
+// A line that is wrapped could not be written anew.
+TEST(CliProcess, ProgressFitsIntoTheTerminal) {
+  const std::string text = shown_on_terminal({"--steps", "30"}, 40);
+  std::istringstream lines(text);
+  size_t longest = 0;
+  for (std::string line; std::getline(lines, line, '\r');)
+    longest = std::max(longest, line.substr(0, line.find('\x1b')).size());
+  EXPECT_EQ(longest, 40u) << text;
 }
 
 TEST(CliProcess, ProgressIsForTerminalsOnly) {

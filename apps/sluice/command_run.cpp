@@ -122,7 +122,7 @@ void simulate(Simulator& simulator, uint64_t steps, Outputs& outputs, Progress& 
     seconds += step_seconds;
     statistics.add(report);
     outputs.add(simulator, report, step_seconds);
-    progress.show(report.step, report);
+    progress.show(report.step, report, statistics.not_converged());
   }
 }
 

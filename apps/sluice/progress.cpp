@@ -31,8 +31,7 @@ Progress::~Progress() {
   if (drawn_) std::fputs("\r\x1b[K", stderr);
 }
 
-void Progress::show(uint64_t count, const StepReport& report) {
-  if (!report.converged) ++not_converged_;
+void Progress::show(uint64_t count, const StepReport& report, uint64_t not_converged) {
   if (!shown_) return;
   const Clock::time_point now = Clock::now();
   if (drawn_ && now - last_ < std::chrono::milliseconds(200)) return;
@@ -44,7 +43,7 @@ void Progress::show(uint64_t count, const StepReport& report) {
       fmt::format("{:3.0f} %  t {:.4g}/{:.4g}  {:.4g} {}/s  dt {:.3g}  ", 100 * done, report.time, duration_,
                   static_cast<double>(count) / elapsed, units_, report.dt);
   if (report.iterations > 0) line += fmt::format("iterations {}  ", report.iterations);
-  if (not_converged_ > 0) line += fmt::format("not converged {}  ", not_converged_);
+  if (not_converged > 0) line += fmt::format("not converged {}  ", not_converged);
   line += fmt::format("compression {:.1e}  left {}", report.diagnostics.mean_compression,
                       duration_text(elapsed * (1 - done) / done));
   fmt::print(stderr, "\r{}\x1b[K", line.substr(0, columns()));

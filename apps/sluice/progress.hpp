@@ -19,8 +19,8 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// `done` of them; the last is this.
-  void show(uint64_t done, const StepReport& report);
+  /// `done` of them, of which so many did not converge; the last is this.
+  void show(uint64_t done, const StepReport& report, uint64_t not_converged = 0);
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -29,7 +29,6 @@ class Progress {
   std::string units_;
   bool shown_;
   bool drawn_ = false;
-  uint64_t not_converged_ = 0;
   Clock::time_point start_ = Clock::now(), last_ = start_;
 };
 

@@ -77,7 +77,7 @@ TEST(PressureAtRest, OfATankIsThatOfWater) {
     if (step >= 830) profile.add(simulation.simulator->snapshot());
   }
   EXPECT_FALSE(simulation.simulator->failure());
-  EXPECT_LT(profile.error(100), 0.04);
+  EXPECT_LT(profile.error(100), 0.015);
 }
 
 TEST(PressureAtRest, IsQuietInTheModeForPressure) {

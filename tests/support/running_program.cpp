@@ -42,7 +42,9 @@ RunningProgram::RunningProgram(const std::vector<std::string>& words, const Opti
   posix_spawn_file_actions_addchdir_np(&files, options.directory.c_str());
   int slave = -1;
   if (options.terminal) {
-    if (openpty(&terminal_, &slave, nullptr, nullptr, nullptr) != 0)
+    winsize size{};
+    size.ws_col = options.columns;
+    if (openpty(&terminal_, &slave, nullptr, nullptr, &size) != 0)
       throw std::runtime_error("no pseudo-terminal");
     posix_spawn_file_actions_adddup2(&files, slave, STDERR_FILENO);
     posix_spawn_file_actions_addclose(&files, slave);

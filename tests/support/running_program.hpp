@@ -15,6 +15,7 @@ class RunningProgram {
   struct Options {
     std::vector<std::string> environment;  ///< further variables, each NAME=VALUE
     bool terminal = false;                 ///< standard error is a terminal
+    unsigned short columns = 0;            ///< of the terminal; 0: it does not say
     std::filesystem::path directory = std::filesystem::current_path();
   };
 
