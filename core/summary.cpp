@@ -46,6 +46,9 @@ void RunStatistics::add(const StepReport& report) {
   compression_max_ = larger(compression_max_, d.max_compression);
   cfl_max_ = larger(cfl_max_, d.cfl);
   lost_ = d.lost;
+  repeats_ += report.repeats;
+  dt_min_ = std::min(dt_min_, report.dt);
+  dt_max_ = std::max(dt_max_, report.dt);
 }
 
 nlohmann::ordered_json to_json(const RunSummary& summary) {
@@ -94,6 +97,11 @@ std::string to_text(const RunSummary& summary) {
     text +=
         fmt::format("iterations {:.2f} on average, {} at most; {} steps did not converge\n",
                     statistics.iterations_mean(), statistics.iterations_max(), statistics.not_converged());
+  }
+  if (scene.adaptive && statistics.steps() > 0) {
+    text += fmt::format("dt {:.3g} to {:.3g}, {:.3g} on average; {} steps were repeated with a smaller one\n",
+                        statistics.dt_min(), statistics.dt_max(),
+                        simulator.time() / static_cast<double>(statistics.steps()), statistics.repeats());
   }
   text += fmt::format(
       "compression {:.2e} on average, {:.2e} at most; cfl {:.3f} at most; {} particles lost\n\n",

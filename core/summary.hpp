@@ -1,6 +1,7 @@
 // What remains of a run when it is over: counts, means, extremes, timings; for people and as JSON.
 #pragma once
 
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -22,13 +23,18 @@ class RunStatistics {
   double compression_max() const { return compression_max_; }
   double cfl_max() const { return cfl_max_; }
   uint32_t lost() const { return lost_; }
+  double dt_min() const { return dt_min_; }
+  double dt_max() const { return dt_max_; }
+  /// Times an adaptive step was done again with a shorter dt.
+  uint64_t repeats() const { return repeats_; }
 
  private:
   double mean(double sum) const { return steps_ == 0 ? 0 : sum / static_cast<double>(steps_); }
 
-  uint64_t steps_ = 0, iterations_ = 0, not_converged_ = 0;
+  uint64_t steps_ = 0, iterations_ = 0, not_converged_ = 0, repeats_ = 0;
   uint32_t iterations_max_ = 0, lost_ = 0;
   double compression_sum_ = 0, compression_max_ = 0, cfl_max_ = 0;
+  double dt_min_ = std::numeric_limits<double>::infinity(), dt_max_ = 0;
 };
 
 struct RunSummary {

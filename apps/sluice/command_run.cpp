@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 #include "apps/sluice/clashes.hpp"
 #include "apps/sluice/commands.hpp"
@@ -28,9 +29,26 @@ namespace {
 using Clock = std::chrono::steady_clock;
 constexpr double most_frames = 1e6;  // frame names have six digits
 
-uint64_t step_count(const RunOptions& options, const Scene& scene) {
-  if (options.steps) return *options.steps;
+/// Where a run ends: after so many steps, or at a time.
+struct RunEnd {
+  uint64_t steps = std::numeric_limits<uint64_t>::max();
+  double time = std::numeric_limits<double>::infinity();
+
+  bool reached(const Simulator& simulator) const {
+    return simulator.steps() >= steps || simulator.time() >= time;
+  }
+  bool at_time() const { return std::isfinite(time); }
+  /// The time it is reached at, or if steps adapt the latest.
+  double latest(double dt) const { return at_time() ? time : static_cast<double>(steps) * dt; }
+  std::string text() const {
+    return at_time() ? fmt::format("time {:g}", time) : fmt::format("step {}", steps);
+  }
+};
+
+RunEnd end_of(const RunOptions& options, const Scene& scene) {
+  if (options.steps) return {.steps = *options.steps};
   const double duration = options.time.value_or(scene.duration);
+  if (scene.adaptive) return {.time = duration};
   const double steps = std::round(duration / scene.dt);
   if (steps > 1e15) {
     throw InputError(
@@ -38,12 +56,11 @@ uint64_t step_count(const RunOptions& options, const Scene& scene) {
                     "a larger time step",
                     scene.file, steps));
   }
-  return static_cast<uint64_t>(steps);
+  return {.steps = static_cast<uint64_t>(steps)};
 }
 
-void limit_frames(const RunOptions& options, const Scene& scene, uint64_t steps) {
-  const double frames =
-      std::floor((static_cast<double>(steps) * scene.dt + FrameClock::slack) * scene.fps) + 1;
+void limit_frames(const RunOptions& options, const Scene& scene, const RunEnd& end) {
+  const double frames = std::floor((end.latest(scene.dt) + FrameClock::slack) * scene.fps) + 1;
   if (!options.frames.any() || frames <= most_frames) return;
   throw InputError(
       fmt::format("{}: output.fps: found {:g}, which makes {:.3g} frames, expected at most {:g}; use a "
@@ -110,14 +127,14 @@ class Outputs {
   std::optional<FrameOutputs> frames_;
 };
 
-void simulate(Simulator& simulator, uint64_t steps, Outputs& outputs, Progress& progress,
+void simulate(Simulator& simulator, const RunEnd& end, Outputs& outputs, Progress& progress,
               RunStatistics& statistics, double& seconds) {
   StepReport start;
   start.dt = simulator.dt();
   outputs.add(simulator, start, 0);
-  while (simulator.steps() < steps && !simulator.failure() && !interrupted()) {
+  while (!end.reached(simulator) && !simulator.failure() && !interrupted()) {
     const Clock::time_point before = Clock::now();
-    const StepReport report = simulator.step();
+    const StepReport report = simulator.step(end.time);
     const double step_seconds = std::chrono::duration<double>(Clock::now() - before).count();
     seconds += step_seconds;
     statistics.add(report);
@@ -126,7 +143,7 @@ void simulate(Simulator& simulator, uint64_t steps, Outputs& outputs, Progress& 
   }
 }
 
-int report_end(const RunSummary& summary, uint64_t steps, bool quiet) {
+int report_end(const RunSummary& summary, const RunEnd& end, bool quiet) {
   if (!quiet) fmt::print("{}", to_text(summary));
   if (const auto& failure = summary.simulator.failure()) {
     fmt::print(stderr, "sluice: invalid run: {}\n",
@@ -135,8 +152,10 @@ int report_end(const RunSummary& summary, uint64_t steps, bool quiet) {
   }
   warn_of_poor_run(summary.scene, summary.statistics, quiet);
   if (interrupted()) {
-    fmt::print(stderr, "sluice: interrupted after step {} of {}; what was asked for is written up to there\n",
-               summary.simulator.steps(), steps);
+    fmt::print(stderr,
+               "sluice: interrupted after step {}, time {:g}, before {}; what was asked for is written up to "
+               "there\n",
+               summary.simulator.steps(), summary.simulator.time(), end.text());
   }
   return 0;
 }
@@ -146,8 +165,8 @@ int report_end(const RunSummary& summary, uint64_t steps, bool quiet) {
 int run_command(const RunOptions& options) {
   refuse_recording(options.scene);
   const Scene scene = load_scene(options.scene, options.overrides);
-  const uint64_t steps = step_count(options, scene);
-  limit_frames(options, scene, steps);
+  const RunEnd end = end_of(options, scene);
+  limit_frames(options, scene, end);
   refuse_clashes({{"the scene", scene.file},
                   {"--state", options.state},
                   {"--series", options.series},
@@ -165,7 +184,7 @@ int run_command(const RunOptions& options) {
     warn_of_unused_opengl(options.machine, options.quiet);
   if (!options.frames.video && options.frames.speed != 1)
     warn(options.quiet, "--speed has no effect without --video");
-  for (const std::string& limit : beyond_limits(scene)) warn(options.quiet, limit);
+  for (const std::string& limit : beyond_limits(scene, samples)) warn(options.quiet, limit);
 
   Simulator simulator(scene, samples, machine.backend());  // may refuse the scene: then nothing is written
   note_interrupts();                                       // from here on there is something to finish
@@ -173,16 +192,16 @@ int run_command(const RunOptions& options) {
   RunStatistics statistics;
   RunSummary summary{scene, samples, machine.backend(), simulator, statistics};
   {
-    Progress progress(steps, static_cast<double>(steps) * scene.dt, "steps", options.quiet);
+    Progress progress(end.at_time() ? 0 : end.steps, end.latest(scene.dt), "steps", options.quiet);
     try {
-      simulate(simulator, steps, outputs, progress, statistics, summary.seconds);
+      simulate(simulator, end, outputs, progress, statistics, summary.seconds);
     } catch (const Error&) {
       outputs.save();
       throw;
     }
   }
   outputs.finish(summary);
-  const int code = report_end(summary, steps, options.quiet);
+  const int code = report_end(summary, end, options.quiet);
   outputs.tell_of_frames(options.quiet);
   return code;
 }

@@ -38,7 +38,8 @@ void Progress::show(uint64_t count, const StepReport& report, uint64_t not_conve
   last_ = now;
   drawn_ = true;
   const double elapsed = std::chrono::duration<double>(now - start_).count();
-  const double done = static_cast<double>(count) / static_cast<double>(total_);
+  const double done =
+      total_ > 0 ? static_cast<double>(count) / static_cast<double>(total_) : report.time / duration_;
   std::string line =
       fmt::format("{:3.0f} %  t {:.4g}/{:.4g}  {:.4g} {}/s  dt {:.3g}  ", 100 * done, report.time, duration_,
                   static_cast<double>(count) / elapsed, units_, report.dt);

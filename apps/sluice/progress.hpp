@@ -12,7 +12,8 @@ namespace sluice {
 
 class Progress {
  public:
-  /// Of so many `units`, "steps" or "frames", which end at the simulated time `duration`. Shows nothing when
+  /// Of so many `units`, "steps" or "frames", or if that is 0 as many as it takes, which end at the simulated
+  /// time `duration`. Shows nothing when
   /// `quiet` or when standard error is not a terminal.
   Progress(uint64_t total, double duration, std::string units, bool quiet);
   ~Progress();
