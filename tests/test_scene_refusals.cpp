@@ -326,11 +326,14 @@ TEST(SceneRefusals, TooManyToNumber) {
   });
 }
 
-TEST(SceneRefusals, NotAvailableYet) {
+TEST(SceneRefusals, AdaptiveStepsNeedTheirBounds) {
   expect_refusals({
-      {32, "cfl = 0.4\ndt_min = 0.001\ndt_max = 0.1",
-       "t.toml:32:7: time.cfl: found 0.4, which is not available yet, expected no such key"},
-      {32, "cfl = 0.4", "t.toml:32:7: time.cfl: found 0.4, which is not available yet, expected no such key"},
+      {32, "cfl = 0.4",
+       "t.toml:31:1: time.dt_min: found nothing, expected a number greater than 0, as time.cfl is set"},
+      {32, "cfl = 0.4\ndt_min = 0.1",
+       "t.toml:31:1: time.dt_max: found nothing, expected a number greater than 0, as time.cfl is set"},
+      {32, "cfl = 0\ndt_min = 0.1\ndt_max = 1",
+       "t.toml:32:7: time.cfl: found 0, expected a number greater than 0"},
   });
 }
 
