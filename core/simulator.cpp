@@ -59,6 +59,11 @@ std::optional<size_t> first_not_finite(const std::vector<Vec2>& values) {
 }  // namespace
 
 Simulator::Simulator(const Scene& scene, const Samples& samples, Backend& backend)
+    : Simulator(scene, samples, backend, NotStarted{}) {
+  start(scene.relax > 0 ? relaxed_positions(samples.fluid) : samples.fluid);
+}
+
+Simulator::Simulator(const Scene& scene, const Samples& samples, Backend& backend, NotStarted)
     : scene_(scene),
       samples_(samples),
       backend_(backend),
@@ -68,7 +73,6 @@ Simulator::Simulator(const Scene& scene, const Samples& samples, Backend& backen
   sizes_.boundary = samples.boundary.size();
   sizes_.cells = uint64_t{params_.columns} * params_.rows;
   sizes_.list = first_list_size(sizes_.fluid, scene.smoothing);
-  start(scene.relax > 0 ? relaxed_positions(samples.fluid) : samples.fluid);
 }
 
 /// Velocities come from the (relaxed) positions. The density of the start is computed, so that it can be
@@ -261,6 +265,33 @@ Snapshot Simulator::state_before_step() const {
   const std::vector<uint32_t> id = ids(Field::id), id_before = ids(Field::id_in);
   return {by_id(vectors(Field::x), id), by_id(vectors(Field::v), id),
           by_id(scalars(Field::rho_in), id_before), by_id(scalars(Field::p_in), id_before), steps_ - 1};
+}
+
+SimulationState Simulator::state() const {
+  const std::vector<uint32_t> id = ids(Field::id);
+  return {{steps_, steps_before_, time_before_, params_.dt, time()},
+          by_id(vectors(Field::x_in), id),
+          by_id(vectors(Field::v_in), id),
+          by_id(scalars(Field::rho), id),
+          by_id(scalars(Field::p), id)};
+}
+
+/// What the last step left behind is put where it left it. Particles stand in another order than there; the
+/// grid sorts them by cell and id, so that no step sees it.
+Simulator::Simulator(const Scene& scene, const Samples& samples, Backend& backend,
+                     const SimulationState& state)
+    : Simulator(scene, samples, backend, NotStarted{}) {
+  steps_ = state.clock.steps;
+  steps_before_ = state.clock.steps_before;
+  time_before_ = state.clock.time_before;
+  Scene changed = scene;
+  changed.dt = state.clock.dt;
+  params_ = make_params(changed, params_.n);
+  set_up(plan_, params_);
+  upload_state(state.x, state.v);
+  backend_.upload(Field::rho, state.density);
+  backend_.upload(Field::p, state.pressure);
+  backend_.reset_seconds();
 }
 
 }  // namespace sluice

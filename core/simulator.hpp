@@ -11,6 +11,7 @@
 #include "core/report.hpp"
 #include "core/sampling.hpp"
 #include "core/scene.hpp"
+#include "core/simulation_state.hpp"
 
 namespace sluice {
 
@@ -19,6 +20,10 @@ class Simulator {
   /// Sets up the start of `scene` on `backend`, relaxed if the scene asks for it. Both must outlive the
   /// simulator.
   Simulator(const Scene& scene, const Samples& samples, Backend& backend);
+
+  /// Goes on from `state`, which state() returned in a run of the same scene and precision: every later step
+  /// has the bits that it has there.
+  Simulator(const Scene& scene, const Samples& samples, Backend& backend, const SimulationState& state);
 
   /// Runs one step. Sets failure() when the state it leads to is invalid; then no further step may follow.
   StepReport step();
@@ -35,7 +40,12 @@ class Simulator {
   /// start.
   Snapshot snapshot() const;
 
+  /// What another simulator can go on from. Only while there is no failure().
+  SimulationState state() const;
+
  private:
+  struct NotStarted {};
+  Simulator(const Scene& scene, const Samples& samples, Backend& backend, NotStarted);
   void start(const std::vector<Vec2>& x);
   void refuse_beyond_range() const;
   std::vector<Vec2> relaxed_positions(const std::vector<Vec2>& x);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "apps/sluice/checkpoints.hpp"
 #include "apps/sluice/clashes.hpp"
 #include "apps/sluice/commands.hpp"
 #include "apps/sluice/frames.hpp"
@@ -16,7 +17,6 @@
 #include "core/error.hpp"
 #include "core/frame_clock.hpp"
 #include "core/memory.hpp"
-#include "core/scene_file.hpp"
 #include "core/series.hpp"
 #include "core/simulator.hpp"
 #include "core/state_file.hpp"
@@ -51,11 +51,26 @@ void limit_frames(const RunOptions& options, const Scene& scene, uint64_t steps)
                   scene.file, scene.fps, frames, most_frames));
 }
 
+/// None may be another one or what is read, but that a checkpoint may take the place of the one before it.
+void refuse_clashes(const RunOptions& options, const Scene& scene) {
+  std::vector<NamedFile> files{{"--state", options.state},        {"--series", options.series},
+                               {"--summary", options.summary},    {"--record", options.frames.record},
+                               {"--video", options.frames.video}, {"--frames", options.frames.frames},
+                               {"--vtk", options.frames.vtk}};
+  if (options.scene) files.insert(files.begin(), {"the scene", scene.file});
+  files.insert(files.begin(), {"--resume", options.resume});
+  refuse_clashes(files);
+  files.front() = {"--checkpoint", options.checkpoint};
+  refuse_clashes(files);
+}
+
 /// The files of a run. All are opened before the first step, so that a folder that is not there is known at
 /// once.
 class Outputs {
  public:
-  Outputs(const RunOptions& options, const Scene& scene, const Samples& samples, Machine& machine)
+  /// Frames that were due before the checkpoint `from` are not made again.
+  Outputs(const RunOptions& options, const Scene& scene, const Samples& samples, Machine& machine,
+          const std::optional<Checkpoint>& from)
       : precision_(machine.backend().precision()),
         takes_frames_(options.frames.any()),
         clock_(scene.fps),
@@ -63,8 +78,11 @@ class Outputs {
     if (options.state) state_.emplace(*options.state);
     if (options.summary) summary_.emplace(*options.summary);
     if (options.series) series_.emplace(*options.series, precision_);
-    frames_.emplace(options.frames, scene, samples, precision_, machine.backend().device(),
-                    [&]() -> const gpu::Context& { return machine.context(); });
+    FramesBefore before;
+    if (from && takes_frames_) before = {clock_.advance(from->state.clock.time), from->state.clock.time};
+    frames_.emplace(
+        options.frames, scene, samples, precision_, machine.backend().device(),
+        [&]() -> const gpu::Context& { return machine.context(); }, before);
   }
 
   void add(const Simulator& simulator, const StepReport& report, double seconds_per_step) {
@@ -76,6 +94,9 @@ class Outputs {
       frames_->add(report, seconds_per_step, state);
   }
 
+  /// Returns when what a run that goes on does not make again is on the disk.
+  void flush() { frames_->flush(); }
+
   /// Saves the rows and frames of a run that is about to fail for another reason, which is the news.
   void save() noexcept {
     Attempts attempt;
@@ -84,8 +105,9 @@ class Outputs {
   }
 
   /// Everything that can be written is, though one fails.
-  void finish(const RunSummary& summary) {
+  void finish(const RunSummary& summary, Checkpoints& checkpoints) {
     Attempts attempt;
+    attempt([&] { checkpoints.write(summary.simulator, summary.statistics); });
     if (series_) attempt([&] { series_->commit(); });
     if (state_) attempt([&] { write_state(*state_, summary.simulator.snapshot(), precision_); });
     if (summary_) attempt([&] { write_summary(summary); });
@@ -110,11 +132,14 @@ class Outputs {
   std::optional<FrameOutputs> frames_;
 };
 
-void simulate(Simulator& simulator, uint64_t steps, Outputs& outputs, Progress& progress,
-              RunStatistics& statistics, double& seconds) {
+void add_start(const Simulator& simulator, Outputs& outputs) {
   StepReport start;
   start.dt = simulator.dt();
   outputs.add(simulator, start, 0);
+}
+
+void simulate(Simulator& simulator, uint64_t steps, Outputs& outputs, Checkpoints& checkpoints,
+              Progress& progress, RunStatistics& statistics, double& seconds) {
   while (simulator.steps() < steps && !simulator.failure() && !interrupted()) {
     const Clock::time_point before = Clock::now();
     const StepReport report = simulator.step();
@@ -122,6 +147,10 @@ void simulate(Simulator& simulator, uint64_t steps, Outputs& outputs, Progress& 
     seconds += step_seconds;
     statistics.add(report);
     outputs.add(simulator, report, step_seconds);
+    if (checkpoints.due(report.time)) {
+      outputs.flush();
+      checkpoints.write(simulator, statistics);
+    }
     progress.show(report.step, report, statistics.not_converged());
   }
 }
@@ -144,18 +173,11 @@ int report_end(const RunSummary& summary, uint64_t steps, bool quiet) {
 }  // namespace
 
 int run_command(const RunOptions& options) {
-  refuse_recording(options.scene);
-  const Scene scene = load_scene(options.scene, options.overrides);
+  const std::optional<Checkpoint> from = checkpoint_to_resume(options);
+  const Scene scene = scene_to_run(options, from);
   const uint64_t steps = step_count(options, scene);
   limit_frames(options, scene, steps);
-  refuse_clashes({{"the scene", scene.file},
-                  {"--state", options.state},
-                  {"--series", options.series},
-                  {"--summary", options.summary},
-                  {"--record", options.frames.record},
-                  {"--video", options.frames.video},
-                  {"--frames", options.frames.frames},
-                  {"--vtk", options.frames.vtk}});
+  refuse_clashes(options, scene);
   require_memory(scene, options.machine.precision, available_memory(), memory_factor(options.machine));
   const Samples samples = sample(scene);
   Machine machine(options.machine, samples.fluid.size());
@@ -167,22 +189,27 @@ int run_command(const RunOptions& options) {
     warn(options.quiet, "--speed has no effect without --video");
   for (const std::string& limit : beyond_limits(scene)) warn(options.quiet, limit);
 
-  Simulator simulator(scene, samples, machine.backend());  // may refuse the scene: then nothing is written
-  note_interrupts();                                       // from here on there is something to finish
-  Outputs outputs(options, scene, samples, machine);
-  RunStatistics statistics;
+  // May refuse the scene: then nothing is written.
+  Simulator simulator = make_simulator(options, scene, samples, machine.backend(), from);
+  note_interrupts();  // from here on there is something to finish
+  Outputs outputs(options, scene, samples, machine, from);
+  Checkpoints checkpoints(options, scene, machine.backend(), simulator.time());
+  RunStatistics statistics(from ? from->counts : RunCounts());
   RunSummary summary{scene, samples, machine.backend(), simulator, statistics};
   {
-    Progress progress(steps, static_cast<double>(steps) * scene.dt, "steps", options.quiet);
+    Progress progress(steps, static_cast<double>(steps) * scene.dt, "steps", options.quiet,
+                      simulator.steps());
     try {
-      simulate(simulator, steps, outputs, progress, statistics, summary.seconds);
+      if (!from) add_start(simulator, outputs);
+      simulate(simulator, steps, outputs, checkpoints, progress, statistics, summary.seconds);
     } catch (const Error&) {
       outputs.save();
       throw;
     }
   }
-  outputs.finish(summary);
+  outputs.finish(summary, checkpoints);
   const int code = report_end(summary, steps, options.quiet);
+  if (simulator.failure()) checkpoints.tell_of_last();
   outputs.tell_of_frames(options.quiet);
   return code;
 }

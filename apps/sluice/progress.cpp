@@ -21,8 +21,9 @@ size_t columns() {
 
 }  // namespace
 
-Progress::Progress(uint64_t total, double duration, std::string units, bool quiet)
+Progress::Progress(uint64_t total, double duration, std::string units, bool quiet, uint64_t before)
     : total_(total),
+      before_(before),
       duration_(duration),
       units_(std::move(units)),
       shown_(!quiet && isatty(STDERR_FILENO) == 1) {}
@@ -39,13 +40,13 @@ void Progress::show(uint64_t count, const StepReport& report, uint64_t not_conve
   drawn_ = true;
   const double elapsed = std::chrono::duration<double>(now - start_).count();
   const double done = static_cast<double>(count) / static_cast<double>(total_);
-  std::string line =
-      fmt::format("{:3.0f} %  t {:.4g}/{:.4g}  {:.4g} {}/s  dt {:.3g}  ", 100 * done, report.time, duration_,
-                  static_cast<double>(count) / elapsed, units_, report.dt);
+  const auto here = static_cast<double>(count - before_), left = static_cast<double>(total_ - count);
+  std::string line = fmt::format("{:3.0f} %  t {:.4g}/{:.4g}  {:.4g} {}/s  dt {:.3g}  ", 100 * done,
+                                 report.time, duration_, here / elapsed, units_, report.dt);
   if (report.iterations > 0) line += fmt::format("iterations {}  ", report.iterations);
   if (not_converged > 0) line += fmt::format("not converged {}  ", not_converged);
   line += fmt::format("compression {:.1e}  left {}", report.diagnostics.mean_compression,
-                      duration_text(elapsed * (1 - done) / done));
+                      duration_text(elapsed * left / here));
   fmt::print(stderr, "\r{}\x1b[K", line.substr(0, columns()));
   std::fflush(stderr);
 }

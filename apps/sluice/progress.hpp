@@ -13,8 +13,8 @@ namespace sluice {
 class Progress {
  public:
   /// Of so many `units`, "steps" or "frames", which end at the simulated time `duration`. Shows nothing when
-  /// `quiet` or when standard error is not a terminal.
-  Progress(uint64_t total, double duration, std::string units, bool quiet);
+  /// `quiet` or when standard error is not a terminal. `before` of them were done by an earlier run.
+  Progress(uint64_t total, double duration, std::string units, bool quiet, uint64_t before = 0);
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
@@ -24,7 +24,7 @@ class Progress {
 
  private:
   using Clock = std::chrono::steady_clock;
-  uint64_t total_;
+  uint64_t total_, before_;
   double duration_;
   std::string units_;
   bool shown_;
