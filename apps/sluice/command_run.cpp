@@ -52,7 +52,7 @@ void limit_frames(const RunOptions& options, const Scene& scene, uint64_t steps)
 }
 
 /// None may be another one or what is read, but that a checkpoint may take the place of the one before it.
-void refuse_clashes(const RunOptions& options, const Scene& scene) {
+void refuse_clashing_places(const RunOptions& options, const Scene& scene) {
   std::vector<NamedFile> files{{"--state", options.state},        {"--series", options.series},
                                {"--summary", options.summary},    {"--record", options.frames.record},
                                {"--video", options.frames.video}, {"--frames", options.frames.frames},
@@ -177,7 +177,7 @@ int run_command(const RunOptions& options) {
   const Scene scene = scene_to_run(options, from);
   const uint64_t steps = step_count(options, scene);
   limit_frames(options, scene, steps);
-  refuse_clashes(options, scene);
+  refuse_clashing_places(options, scene);
   require_memory(scene, options.machine.precision, available_memory(), memory_factor(options.machine));
   const Samples samples = sample(scene);
   Machine machine(options.machine, samples.fluid.size());

@@ -107,7 +107,12 @@ void FrameOutputs::tell(bool quiet) const {
     fmt::print("{} pictures in {}\n", pictures_->count(), options_.frames->string());
     older(pictures_->older_pictures(), "pictures", *options_.frames);
   }
-  if (video_) {
+  const auto none = [](const std::filesystem::path& file) {
+    fmt::print("no frame was due, so there is no {}\n", file.string());
+  };
+  if (video_ && video_->count() == 0) {
+    none(*options_.video);
+  } else if (video_) {
     fmt::print("{} pictures, {:g} seconds, in {}\n", video_->count(),
                static_cast<double>(video_->count()) / (scene_.fps * options_.speed),
                options_.video->string());
@@ -116,7 +121,9 @@ void FrameOutputs::tell(bool quiet) const {
     fmt::print("{} frames for ParaView in {}\n", vtk_->count(), (*options_.vtk / "fluid.pvd").string());
     older(vtk_->older_files(), "files", *options_.vtk);
   }
-  if (recording_) {
+  if (recording_ && recording_->frames() == 0) {
+    none(*options_.record);
+  } else if (recording_) {
     std::error_code error;
     const auto bytes = std::filesystem::file_size(*options_.record, error);  // a pipe has none
     fmt::print("{} frames{} in {}\n", recording_->frames(),
