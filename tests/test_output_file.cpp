@@ -2,6 +2,7 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 
 #include <filesystem>
@@ -9,9 +10,32 @@
 #include <sstream>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "core/error.hpp"
 #include "core/output_file.hpp"
+
+namespace {
+
+/// What fsync was called for, and whether the target had its new name by then.
+struct Synced {
+  std::filesystem::path path;
+  bool named;
+};
+std::vector<Synced>* synced = nullptr;  // while a test listens
+std::filesystem::path awaited;
+
+}  // namespace
+
+/// Stands before the C library's, for all of this program.
+extern "C" int fsync(int descriptor) {
+  if (synced != nullptr) {
+    std::error_code error;
+    synced->push_back({std::filesystem::read_symlink("/proc/self/fd/" + std::to_string(descriptor), error),
+                       std::filesystem::exists(awaited)});
+  }
+  return static_cast<int>(syscall(SYS_fsync, descriptor));
+}
 
 namespace {
 
@@ -169,6 +193,33 @@ TEST_F(OutputFileTest, AnOpenDescriptorGoesOnWhereItIs) {
   close(descriptor);
   EXPECT_EQ(read(log), "before between after");
   EXPECT_TRUE(contains(message_of("/dev/fd/" + std::to_string(descriptor)), "Bad file descriptor"));
+}
+
+TEST_F(OutputFileTest, IsOnTheDiskBeforeItHasItsNameAndItsNameIsToo) {
+  std::vector<Synced> found;
+  synced = &found;
+  awaited = folder / "a";
+  OutputFile file(folder / "a");
+  const fs::path temporary = file.temporary();
+  file.write("bytes");
+  file.commit_to_disk();
+  synced = nullptr;
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_EQ(found[0].path, temporary);
+  EXPECT_FALSE(found[0].named);
+  EXPECT_EQ(found[1].path, folder);
+  EXPECT_TRUE(found[1].named);
+  EXPECT_EQ(read(folder / "a"), "bytes");
+  EXPECT_EQ(files(), 1u);
+}
+
+TEST_F(OutputFileTest, WhatHasNoDiskHasNothingToWaitFor) {
+  OutputFile nothing("/dev/null");
+  nothing.write("bytes");
+  EXPECT_NO_THROW(nothing.commit_to_disk());
+  OutputFile full("/dev/full");
+  full.write("bytes");
+  EXPECT_THROW(full.commit_to_disk(), EnvironmentError);
 }
 
 }  // namespace

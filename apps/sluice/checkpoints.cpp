@@ -62,8 +62,8 @@ Scene scene_to_run(const RunOptions& options, const std::optional<Checkpoint>& f
                               : parse_scene(from->scene.text, from->scene.file, overrides);
   if (const auto difference = first_difference(from->scene.settings, scene.settings)) {
     throw InputError(
-        fmt::format("{}: {}: found a checkpoint of a run with {}, expected {} as now asked for; a run goes "
-                    "on as it began, but for output, scene and time.duration",
+        fmt::format("{}: found a checkpoint made with {} {}, expected one with {}, as this run asks for; only "
+                    "output, scene and time.duration may change on the way",
                     options.resume->string(), difference->key, difference->before, difference->now));
   }
   return scene;

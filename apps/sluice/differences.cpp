@@ -13,7 +13,7 @@ using Json = nlohmann::ordered_json;
 bool counts(const std::string& key) { return key != "output" && key != "scene" && key != "time.duration"; }
 
 std::string text_of(const Json* value) {
-  return value == nullptr ? "nothing" : value->dump(-1, ' ', false, Json::error_handler_t::replace);
+  return value == nullptr ? "none" : value->dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 /// A member of an object or an element of an array, if it is there.

@@ -9,7 +9,7 @@ namespace sluice {
 
 struct Difference {
   std::string key;          ///< as for --set: "fluid.rect.0.max"
-  std::string before, now;  ///< the values as JSON, or "nothing"
+  std::string before, now;  ///< the values as JSON, or "none"
 };
 
 /// The first difference in the order of `before` that counts for the steps: not one in output, in scene or in
