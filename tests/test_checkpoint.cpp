@@ -132,6 +132,11 @@ class DamagedCheckpoint : public testing::Test {
         changed.replace(place, sizeof value, reinterpret_cast<const char*>(&value), sizeof value));
   }
 
+  /// Of the file, of its header or of its facts.
+  bool near_an_end(size_t place) const {
+    return place < 40 || (place + 20 > facts && place < facts + 124) || place + 20 > bytes.size();
+  }
+
   const std::string altered = "found a checkpoint that was cut off or altered";
   TemporaryFolder folder;
   Saved saved;
@@ -142,13 +147,13 @@ class DamagedCheckpoint : public testing::Test {
 TEST_F(DamagedCheckpoint, IsRefusedWhereverItWasCutOff) {
   ASSERT_EQ(refusal(bytes), "accepted");
   ASSERT_LT(bytes.size(), 5000u);
-  for (size_t length = 0; length < bytes.size(); ++length)
+  for (size_t length = 0; length < bytes.size(); length += near_an_end(length) ? 1 : 11)
     ASSERT_TRUE(refusal(bytes.substr(0, length)).starts_with(altered)) << length;
   EXPECT_TRUE(refusal(bytes + '\0').starts_with(altered));
 }
 
 TEST_F(DamagedCheckpoint, IsRefusedWhereverAByteWasAltered) {
-  for (size_t place = 0; place < bytes.size(); ++place) {
+  for (size_t place = 0; place < bytes.size(); place += near_an_end(place) ? 1 : 7) {
     std::string changed = bytes;
     changed[place] = static_cast<char>(changed[place] ^ (1 << place % 8));
     ASSERT_NE(refusal(changed), "accepted") << place;
@@ -225,7 +230,7 @@ TEST_F(DamagedCheckpoint, ASceneInsideThatCannotBeRunIsNamed) {
   const std::string unknown = with_scene("spacing", "spacung");
   EXPECT_TRUE(unknown.starts_with("found a scene in it that can't be run here: ")) << unknown;
   EXPECT_NE(unknown.find("particles.spacung: found an unknown key"), std::string::npos) << unknown;
-  const std::string huge = with_scene("spacing = 8", "spacing = 0.001");
+  const std::string huge = with_scene("spacing = 8.0", "spacing = 0.001");
   EXPECT_NE(huge.find("particles.spacing: found 0.001"), std::string::npos) << huge;
 }
 

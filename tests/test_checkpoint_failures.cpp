@@ -90,7 +90,7 @@ TEST_F(CheckpointFailures, AKilledRunLeavesAWholeOne) {
 // Frames up to a checkpoint are not drawn again: they have to be there before it is.
 TEST_F(CheckpointFailures, AKilledRunLeavesItsFramesToo) {
   const auto path = folder / "a.ckp";
-  RunningProgram program({"run", "breaking_dam", "--time", "1e6", "--backend", "cpu", "--quiet", "--size",
+  RunningProgram program({"run", "breaking_dam", "--time", "1000", "--backend", "cpu", "--quiet", "--size",
                           "300x450", "--frames", folder / "f", "--checkpoint", path, "--checkpoint-every",
                           "0.2"});
   wait_until(program, [&] { return identity(path) != 0; });

@@ -47,6 +47,10 @@ TEST_F(CliResume, AnythingElseThatDiffersIsNamedWithBothValues) {
   expect_refused({"--resume", "a.ckp", "--set", "fluid.rect.0.velocity=[1,0]"},
                  {"fluid.rect.0.velocity [0.0,0.0]", "[1.0,0.0]"});
   expect_refused({"--resume", "a.ckp", "--set", "time.dt=0.02"}, {"pressure.ssph.dt 0.01", "none"});
+  expect_refused({"--resume", "a.ckp", "--set", "pressure.iisph.dt=0.02"},
+                 {"pressure.iisph.dt none", "expected one with 0.02"});
+  expect_refused({"--resume", "a.ckp", "--set", "fluid.disc.0={centre=[300,300],radius=20}"},
+                 {"fluid.disc none", "300.0"});
   expect_refused({"leaking_dam", "--resume", "a.ckp"}, {"a.ckp: ", "particles.spacing 8.0", "4.0"});
   expect_refused({"--resume", "a.ckp", "--set", "fluid.gravty=[0,0]"}, {"fluid.gravty"});
   expect_refused({"nowhere.toml", "--resume", "a.ckp"}, {"nowhere.toml"});

@@ -76,9 +76,9 @@ void expect_same_steps(Simulator& one, Simulator& other, uint64_t steps) {
   }
 }
 
-class StateOf : public testing::TestWithParam<std::tuple<Case, Place>> {};
+class StateToGoOnFrom : public testing::TestWithParam<std::tuple<Case, Place>> {};
 
-TEST_P(StateOf, LeadsToTheSameSteps) {
+TEST_P(StateToGoOnFrom, LeadsToTheSameSteps) {
   const auto& [what, place] = GetParam();
   Runner first(what, place), second(what, place);
   Simulator whole(first.scene, first.samples, *first.backend);
@@ -89,13 +89,13 @@ TEST_P(StateOf, LeadsToTheSameSteps) {
   expect_same_steps(whole, resumed, 6);
 }
 
-std::string state_name(const testing::TestParamInfo<StateOf::ParamType>& info) {
+std::string state_name(const testing::TestParamInfo<StateToGoOnFrom::ParamType>& info) {
   const Place place = std::get<Place>(info.param);
   return std::get<Case>(info.param).name + (place == Place::gpu          ? "_gpu"
                                             : place == Place::cpu_double ? "_cpu_double"
                                                                          : "_cpu_float");
 }
-INSTANTIATE_TEST_SUITE_P(All, StateOf,
+INSTANTIATE_TEST_SUITE_P(All, StateToGoOnFrom,
                          testing::Combine(testing::ValuesIn(cases),
                                           testing::Values(Place::cpu_float, Place::cpu_double, Place::gpu)),
                          state_name);
