@@ -14,8 +14,10 @@ WcsphYardstick::WcsphYardstick(const Backend& backend, const Params& params, con
       grid_(params_, kernel_.H) {
   const auto x = by_id(backend, Field::x_in, fluid_, 2), v = by_id(backend, Field::v_in, fluid_, 2);
   const auto real = [](double value) { return static_cast<float>(value); };
-  for (const Vec2 b : samples.boundary)
+  for (const Vec2 sample : samples.boundary) {
+    const Vec2 b = sample - params.origin;
     particles_.push_back({real(b.x), real(b.y), 0, 0, 0, 0, 0, 0, 0, 0, true});
+  }
   compute_pseudo_masses();
   for (size_t i = 0; i < fluid_; ++i) {
     particles_.push_back({real(x[2 * i]), real(x[2 * i + 1]), real(v[2 * i]), real(v[2 * i + 1]), 0, 0, 0, 0,

@@ -24,7 +24,8 @@ Yardstick::Yardstick(const Backend& backend, const Params& params, const Samples
     particles_.push_back({real(x[2 * i]), real(x[2 * i + 1]), 0, 0, real(rho[i]), real(p[i]),
                           real(A_ii[i] / (rho[i] * rho[i])), real(s[i]), 0, false});
   }
-  for (const Vec2 b : samples.boundary) {
+  for (const Vec2 sample : samples.boundary) {
+    const Vec2 b = sample - params.origin;
     particles_.push_back({real(b.x), real(b.y), 0, 0, params_.rho0, 0, 0, 0, 0, true});
   }
   grid_.build(particles_);

@@ -20,9 +20,10 @@ Diagnostics make_diagnostics(std::span<const double> totals, const Params& param
   d.mean_compression = at(Total::compression) / n;
   d.max_compression = at(Total::max_compression);
   d.kinetic_energy = 0.5 * params.m * at(Total::speed_squared);
-  d.centre_of_mass = {at(Total::x) / n, at(Total::y) / n};
+  d.centre_of_mass = params.origin + glm::dvec2(at(Total::x), at(Total::y)) / n;
   d.potential_energy = -params.m * n * glm::dot(params.gravity, d.centre_of_mass);
   d.max_speed = std::sqrt(at(Total::max_speed_squared));
+  d.max_speed_change = std::sqrt(at(Total::max_speed_change_squared));
   d.cfl = d.max_speed * params.dt / params.h;
   d.wall_force = {at(Total::wall_force_x), at(Total::wall_force_y)};
   d.lost = static_cast<uint32_t>(at(Total::lost));

@@ -16,9 +16,10 @@ struct Diagnostics {
   double potential_energy = 0;  ///< -sum m g.x
   glm::dvec2 centre_of_mass{};
   double max_speed = 0;
-  double cfl = 0;           ///< max_speed dt / h
-  glm::dvec2 wall_force{};  ///< force of the fluid's pressure on the boundary
-  uint32_t lost = 0;        ///< particles left of, right of or below the domain
+  double max_speed_change = 0;  ///< largest |v - v before|
+  double cfl = 0;               ///< max_speed dt / h
+  glm::dvec2 wall_force{};      ///< force of the fluid's pressure on the boundary
+  uint32_t lost = 0;            ///< particles left of, right of or below the domain
 
   /// Whether no position, velocity or density is NaN or infinite.
   bool finite() const;

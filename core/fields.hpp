@@ -1,5 +1,7 @@
 // Every array of a run, declared once with its type, length and unit. "In" fields hold the state a step
 // starts from, in the order the last step left it; all others are in the cell order of the current step.
+// Positions count from the domain's lower left corner, so that their digits do not depend on where the scene
+// lies.
 #pragma once
 
 #include <array>
@@ -12,8 +14,8 @@ namespace sluice {
 inline constexpr uint32_t slice_width = 16;
 inline constexpr uint32_t chunk_width = 64;
 
-/// What list_needed says when no list would do: its size has no 32-bit number, or, for a shader, more
-/// candidates crowd around a particle than it may loop over.
+/// What list_needed says when no list would do: its size has no 32-bit number, or more than most_rounds
+/// candidates crowd around a particle.
 inline constexpr uint32_t list_beyond_bounds = 0xffffffff;
 
 /// What a field's length follows.
@@ -21,7 +23,8 @@ enum class Length { one, fluid, cells, boundary, list, gradients, residual, diag
 
 enum class Type { real, vec2, vec4, uint, uvec2 };
 
-/// Rounds that loops of one shader invocation may make: some drivers end them all, silently, after 65535.
+/// Candidates that a particle's neighbours are looked for among, at most: as many rounds as the loops of one
+/// shader invocation may make, since some drivers end them all, silently, after 65535.
 inline constexpr uint32_t most_rounds = 65'000;
 
 /// Where the pressure solve of a step stands. Capped: it ended without having converged.
@@ -36,7 +39,7 @@ enum class Solve : uint32_t { unfinished, converged, capped };
 /// What the totals of a step hold, in this order.
 #define SLUICE_TOTALS(TOTAL) \
   TOTAL(density) TOTAL(compression) TOTAL(speed_squared) TOTAL(x) TOTAL(y) TOTAL(wall_force_x) TOTAL(wall_force_y) \
-  TOTAL(lost) TOTAL(max_compression) TOTAL(max_speed_squared)
+  TOTAL(lost) TOTAL(max_compression) TOTAL(max_speed_squared) TOTAL(max_speed_change_squared)
 // clang-format on
 
 enum class ResidualSum {
@@ -173,6 +176,10 @@ struct Sizes {
     return 0;
   }
 };
+
+/// The list may grow to so many times its first size: beyond that the fluid has collapsed, and its memory
+/// would no longer follow from the number of particles.
+inline constexpr uint64_t most_list_growth = 8;
 
 /// Neighbour list entries per particle to begin with, at H = h.
 inline constexpr double first_list_length = 20;

@@ -12,6 +12,9 @@ namespace {
 
 constexpr double relax_tolerance = 1e-4;
 
+/// A unit vector, along none of the axes that lattices and walls have.
+constexpr glm::dvec2 parting_direction{0.8, 0.6};
+
 /// Edge of a grid cell: 2H, widened by what rounding a position's cell coordinate to float can cost, so that
 /// two particles in reach of each other never lie more than one cell apart.
 double cell_edge(const Scene& scene) {
@@ -34,20 +37,26 @@ glm::dvec2 grid_cells(const Scene& scene) {
   return glm::ceil((scene.domain_max - scene.domain_min) / cell_edge(scene)) + 2.0;
 }
 
+void set_dt(Params& params, const Scene& scene, double dt) {
+  params.dt = dt;
+  params.xsph = scene.viscosity_model == ViscosityModel::xsph ? scene.viscosity * params.m / dt : 0;
+}
+
 Params make_params(const Scene& scene, uint32_t n) {
   const double H = scene.smoothing_length();
   Params p;
   p.h = scene.spacing;
   p.m = scene.mass();
   p.rho0 = scene.rest_density;
-  p.dt = scene.dt;
   p.inverse_H = 1 / H;
   p.support_squared = 4 * H * H;
   p.kernel_factor = 5 / (14 * std::numbers::pi * H * H);
   p.gradient_factor = 5 / (14 * std::numbers::pi * H * H * H);
+  p.coincidence = 1e-4 * p.h;
+  p.parting_gradient = -4 * p.gradient_factor * parting_direction;
   p.nu = scene.viscosity_model == ViscosityModel::laplacian ? scene.viscosity : 0;
   p.viscosity_floor = 0.01 * H * H;
-  p.xsph = scene.viscosity_model == ViscosityModel::xsph ? scene.viscosity * p.m / scene.dt : 0;
+  set_dt(p, scene, scene.dt);
   p.k = scene.ssph ? scene.ssph->stiffness : 0;
   if (scene.wcsph) {
     p.gamma = scene.wcsph->gamma;
@@ -66,10 +75,9 @@ Params make_params(const Scene& scene, uint32_t n) {
   p.largest_move = 0.1 * p.h;
   p.inverse_cell = 1 / cell_edge(scene);
   p.gravity = scene.gravity;
-  p.centre = scene.centre;
   p.origin = scene.domain_min;
-  p.domain_min = scene.domain_min;
-  p.domain_max = scene.domain_max;
+  p.centre = scene.centre - p.origin;
+  p.extent = scene.domain_max - scene.domain_min;
   p.n = n;
   p.min_iterations = scene.iisph.min_iterations;
   p.max_iterations = scene.iisph.max_iterations;

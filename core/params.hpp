@@ -20,6 +20,8 @@ struct Scene;
   REAL(support_squared, "(2H)^2")                                                                           \
   REAL(kernel_factor, "5 / (14 pi H^2)")                                                                    \
   REAL(gradient_factor, "5 / (14 pi H^3)")                                                                  \
+  REAL(coincidence, "1e-4 h: closer particles have no direction to be told apart by")                        \
+  VEC2(parting_gradient, "kernel gradient of such a pair for the particle with the larger id")               \
   REAL(nu, "coefficient of the Laplacian viscosity")                                                        \
   REAL(viscosity_floor, "0.01 H^2, keeps the viscosity's denominator from vanishing")                       \
   REAL(xsph, "alpha m / dt, with alpha the coefficient of the XSPH viscosity")                              \
@@ -37,10 +39,9 @@ struct Scene;
   REAL(largest_move, "0.1 h, cap of one relaxation move")                                                   \
   REAL(inverse_cell, "1 / edge of a grid cell")                                                             \
   VEC2(gravity, "external acceleration")                                                                    \
-  VEC2(centre, "centre of the central force")                                                               \
-  VEC2(origin, "lower left corner of the grid, without its padding")                                        \
-  VEC2(domain_min, "lower left corner of the domain")                                                       \
-  VEC2(domain_max, "upper right corner of the domain")                                                      \
+  VEC2(centre, "centre of the central force, from the origin")                                              \
+  VEC2(origin, "the scene's coordinates of position (0, 0), the domain's lower left corner; no stage needs it") \
+  VEC2(extent, "width and height of the domain")                                                            \
   UINT(n, "number of fluid particles")                                                                      \
   UINT(min_iterations, "IISPH sweeps that are done in any case")                                            \
   UINT(max_iterations, "IISPH sweeps after which a solve ends, converged or not")                           \
@@ -79,6 +80,9 @@ using Params = ParamsOf<double>;
 /// The constants of `scene` with `n` fluid particles.
 Params make_params(const Scene& scene, uint32_t n);
 
+/// Changes the time step and what depends on it.
+void set_dt(Params& params, const Scene& scene, double dt);
+
 /// The same for a relaxation of the positions: dt = 1, no external force, p starts at 0, s = rho0 - rho, and
 /// a tolerance of its own.
 Params make_relax_params(const Params& params, const Scene& scene);
@@ -90,22 +94,21 @@ glm::dvec2 grid_cells(const Scene& scene);
 /// is monotone, so neighbours stay neighbours. NaN goes to the first cell.
 template <class Real>
 uint32_t cell_of(const ParamsOf<Real>& params, glm::vec<2, Real> x) {
-  const auto along = [&](Real offset, uint32_t padded) {
+  const auto along = [&](Real at, uint32_t padded) {
     const Real last = static_cast<Real>(padded - 3);
-    Real t = offset * params.inverse_cell;
+    Real t = at * params.inverse_cell;
     t = t > Real(0) ? t : Real(0);
     t = t < last ? t : last;
     return static_cast<uint32_t>(t) + 1u;
   };
-  return along(x.y - params.origin.y, params.rows) * params.columns +
-         along(x.x - params.origin.x, params.columns);
+  return along(x.y, params.rows) * params.columns + along(x.x, params.columns);
 }
 
 /// Whether a particle at x is lost: left of, right of or below the domain. Above an open top it may come
 /// back.
 template <class Real>
 bool is_lost(const ParamsOf<Real>& params, glm::vec<2, Real> x) {
-  return x.x < params.domain_min.x || x.x > params.domain_max.x || x.y < params.domain_min.y;
+  return x.x < 0 || x.x > params.extent.x || x.y < 0;
 }
 
 }  // namespace sluice

@@ -14,6 +14,7 @@ struct StepReport {
   uint64_t step = 0;  ///< 1 for the first
   double time = 0;    ///< at the end of the step
   double dt = 0;
+  uint32_t repeats = 0;     ///< times an adaptive step was done again with a shorter dt
   uint32_t iterations = 0;  ///< 0 where pressure comes from a state equation
   double residual = 0;      ///< the last e
   bool converged = true;

@@ -91,6 +91,12 @@ struct Iisph {
   Stop stop = Stop::density;
 };
 
+/// Time steps that follow the fluid.
+struct AdaptiveStep {
+  double cfl = 0;  ///< spacings that a particle may move in a step
+  double dt_min = 0, dt_max = 0;
+};
+
 struct Scene {
   std::string name;                    ///< file name without folder and ending
   std::string file;                    ///< as it was given or found, for messages
@@ -124,7 +130,8 @@ struct Scene {
   std::optional<Wcsph> wcsph;
   Iisph iisph;
 
-  double dt = 0;  ///< already that of the chosen method
+  double dt = 0;                         ///< already that of the chosen method; dt_max where it adapts
+  std::optional<AdaptiveStep> adaptive;  ///< with time.cfl
   double duration = 0;
 
   double fps = 25;

@@ -95,12 +95,10 @@ void read_pressure(const SceneValue& root, Scene& scene) {
   scene.method = method.text == "ssph"    ? PressureMethod::ssph
                  : method.text == "wcsph" ? PressureMethod::wcsph
                                           : PressureMethod::iisph;
-  if (!table.find(method.text)) {
-    refuse_unavailable(root);
+  if (!table.find(method.text))
     throw refusal(
         method.overridden ? method.where : table.where, "pressure." + method.text, "nothing",
         fmt::format("a table [pressure.{}], as pressure.method is {}", method.text, describe(method)));
-  }
   read_iisph(table.at("iisph"), scene.iisph);
   if (const SceneValue* ssph = table.find("ssph")) scene.ssph = Ssph{ssph->at("stiffness").number};
   if (const SceneValue* wcsph = table.find("wcsph"))
@@ -118,11 +116,9 @@ void check_time(const SceneValue& root, const SceneValue* method_dt, const std::
   if (cfl && dt) together(*dt, "time.dt");
   if (cfl && method_dt) together(*method_dt, method_key);
   for (auto [value, key] : {std::pair{least, "time.dt_min"}, std::pair{most, "time.dt_max"}}) {
-    if (cfl && !value) {
-      refuse_unavailable(root);
+    if (cfl && !value)
       throw refusal(cfl->overridden ? cfl->where : table.where, key, "nothing",
                     "a number greater than 0, as time.cfl is set");
-    }
     if (!cfl && value)
       throw refusal(value->where, key, describe(*value) + " without time.cfl", "the two together");
   }
@@ -143,7 +139,10 @@ void read_time(const SceneValue& root, Scene& scene) {
   check_time(root, method_dt, method_key);
   scene.duration = table.at("duration").number;
   const SceneValue* dt = method_dt ? method_dt : table.find("dt");
-  if (!dt) return;  // time.cfl
+  if (const SceneValue* cfl = table.find("cfl")) {
+    scene.adaptive = {cfl->number, table.at("dt_min").number, table.at("dt_max").number};
+    dt = table.find("dt_max");
+  }
   scene.dt = dt->number;
   if (!(scene.duration / scene.dt <= max_steps))
     throw refusal(blame({&table.at("duration"), dt}), "time.duration",
@@ -227,10 +226,10 @@ Scene build_scene(const SceneValue& root, const std::string& name, const std::st
 
 nlohmann::ordered_json scene_settings(const SceneValue& root, const Scene& scene) {
   nlohmann::ordered_json settings = to_json(root, "");
-  if (scene.dt > 0)
-    settings["time"]["dt"] = scene.dt;
-  else
+  if (scene.adaptive)
     settings["time"].erase("dt");
+  else
+    settings["time"]["dt"] = scene.dt;
   settings["output"]["size"] = {scene.image_size.x, scene.image_size.y};
   return settings;
 }

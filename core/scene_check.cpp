@@ -185,35 +185,8 @@ void check_table(SceneValue& table, std::string_view section, const std::string&
     if (inner.parent() == section) add_missing_section(table, inner, path);
 }
 
-// ---- what is not available yet
-
-const SceneValue* find_path(const SceneValue& root, std::string_view path) {
-  const SceneValue* value = &root;
-  while (value && !path.empty()) {
-    size_t end = std::min(path.find('.'), path.size());
-    value = value->find(path.substr(0, end));
-    path.remove_prefix(std::min(end + 1, path.size()));
-  }
-  return value;
-}
-
 }  // namespace
 
 void check_scene(SceneValue& root) { check_table(root, "", ""); }
-
-void refuse_unavailable(const SceneValue& root) {
-  std::string chosen = "pressure." + root.at("pressure").at("method").text;
-  bool relaxes = root.at("fluid").at("relax").integer > 0;
-  for (const SceneKey& key : scene_keys()) {
-    bool used = !key.section().starts_with("pressure.") || key.section() == chosen ||
-                (relaxes && key.section() == "pressure.iisph");
-    const SceneValue* value = find_path(root, key.path);
-    if (!used || !value || value->defaulted) continue;
-    if (!key.available) {
-      throw refusal(value->where, std::string(key.path), describe(*value) + ", which is not available yet",
-                    "no such key");
-    }
-  }
-}
 
 }  // namespace sluice

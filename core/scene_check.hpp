@@ -11,8 +11,4 @@ namespace sluice {
 /// fulfil together is left to build_scene.
 void check_scene(SceneValue& root);
 
-/// Refuses what is known but not available yet, where this run would use it: in a table of a pressure method,
-/// only if that method is chosen. For a checked tree. Throws InputError.
-void refuse_unavailable(const SceneValue& root);
-
 }  // namespace sluice

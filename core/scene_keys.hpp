@@ -44,7 +44,6 @@ struct SceneKey {
   KeyRange range;
   std::string_view meaning;                        ///< one line of Markdown
   std::span<const std::string_view> choices = {};  ///< the names that a choice can take
-  bool available = true;                           ///< false: known, but refused with "not available yet"
 
   std::string_view section() const { return path.substr(0, path.rfind('.')); }
   std::string_view name() const { return path.substr(path.rfind('.') + 1); }

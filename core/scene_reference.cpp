@@ -94,9 +94,8 @@ std::string section_text(const SceneSection& section) {
   text += "| key | type | unit | default | allowed | meaning |\n|---|---|---|---|---|---|\n";
   for (const SceneKey& key : scene_keys()) {
     if (key.section() != section.path) continue;
-    text += fmt::format("| `{}` | {} | {} | {} | {} | {}{} |\n", key.name(), type_name(key.type), key.unit,
-                        default_text(key), allowed_text(key), key.meaning,
-                        key.available ? "" : " Not available yet.");
+    text += fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", key.name(), type_name(key.type), key.unit,
+                        default_text(key), allowed_text(key), key.meaning);
   }
   return text;
 }

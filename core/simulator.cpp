@@ -18,13 +18,19 @@ constexpr uint32_t sweeps_between_looks = 4;
 /// Sweeps before the first look: a solve that was cut off says nothing of the next.
 constexpr uint32_t most_sweeps_unseen = 64;
 
+std::vector<Vec2> moved(std::vector<Vec2> points, Vec2 by) {
+  for (Vec2& point : points) point += by;
+  return points;
+}
+
 /// Boundary samples sorted by grid cell, and the first of each cell.
 struct SortedBoundary {
   std::vector<uint32_t> C;
   std::vector<Vec2> x;
 };
 
-SortedBoundary sort_boundary(const std::vector<Vec2>& boundary, const Params& params, uint64_t cells) {
+SortedBoundary sort_boundary(const std::vector<Vec2>& samples, const Params& params, uint64_t cells) {
+  const std::vector<Vec2> boundary = moved(samples, -params.origin);
   SortedBoundary sorted;
   sorted.C.assign(cells + 1, 0);
   sorted.x.resize(boundary.size());
@@ -60,7 +66,8 @@ std::optional<size_t> first_not_finite(const std::vector<Vec2>& values) {
 
 Simulator::Simulator(const Scene& scene, const Samples& samples, Backend& backend)
     : Simulator(scene, samples, backend, NotStarted{}) {
-  start(scene.relax > 0 ? relaxed_positions(samples.fluid) : samples.fluid);
+  const std::vector<Vec2> x = moved(samples.fluid, -params_.origin);
+  start(scene.relax > 0 ? relaxed_positions(x) : x);
 }
 
 Simulator::Simulator(const Scene& scene, const Samples& samples, Backend& backend, NotStarted)
@@ -80,19 +87,28 @@ Simulator::Simulator(const Scene& scene, const Samples& samples, Backend& backen
 void Simulator::start(const std::vector<Vec2>& x) {
   std::vector<Vec2> v(x.size());
   for (size_t i = 0; i < x.size(); ++i) {
-    v[i] = start_velocity(scene_.fluid[samples_.fluid_shape[i]], scene_.spacing, x[i]);
+    v[i] = start_velocity(scene_.fluid[samples_.fluid_shape[i]], scene_.spacing, params_.origin + x[i]);
   }
   set_up(plan_, params_);
   upload_state(x, v);
   refuse_beyond_range();
   begin_step();
+  List list = List::fits;
   do {
     run(plan_.search);
-  } while (list_was_too_short());
+    list = judge_list();
+  } while (list == List::longer_now);
+  if (list == List::beyond_bounds) {
+    throw InputError(
+        fmt::format("{}: fluid: found a start with too many particles in one place, expected them about {:g} "
+                    "apart; spread them out",
+                    scene_.file, scene_.spacing));
+  }
   const std::vector<Vec2> sorted_x = vectors(Field::x), sorted_v = vectors(Field::v);
   backend_.upload(Field::x_in, flat(sorted_x));
   backend_.upload(Field::v_in, flat(sorted_v));
   backend_.reset_seconds();
+  if (scene_.adaptive) begin_adaptive(x, v);
 }
 
 /// What is finite in a scene may not be in float.
@@ -114,14 +130,19 @@ std::vector<Vec2> Simulator::relaxed_positions(const std::vector<Vec2>& x) {
   upload_state(x, std::vector<Vec2>(x.size()));
   for (uint32_t round = 0; round < scene_.relax; ++round) {
     StepReport report;
-    run_step(plan, report);
+    if (!run_step(plan, report)) {
+      throw InputError(
+          fmt::format("{}: fluid.relax: found a relaxation that drives particles into one place, expected "
+                      "positions that can be relaxed; lower fluid.jitter or leave out fluid.relax",
+                      scene_.file));
+    }
   }
   std::vector<Vec2> relaxed = by_id(vectors(Field::x_in), ids(Field::id));
   if (const auto i = first_not_finite(relaxed)) {
     throw InputError(
         fmt::format("{}: fluid.relax: found a relaxation that diverges at particle {} near ({:g}, {:g}), "
                     "expected positions that can be relaxed; lower fluid.jitter or leave out fluid.relax",
-                    scene_.file, *i, x[*i].x, x[*i].y));
+                    scene_.file, *i, samples_.fluid[*i].x, samples_.fluid[*i].y));
   }
   return relaxed;
 }
@@ -157,38 +178,50 @@ void Simulator::run(std::span<const Stage> stages) {
   for (const Stage stage : stages) backend_.run(stage);
 }
 
-/// All of a step. Whether the neighbour list was long enough is asked once, at the end: if not, it is made
-/// longer, and all that follows from it is done again from the sorted state, which integration leaves alone.
-void Simulator::run_step(const Plan& plan, StepReport& report) {
+/// All of a step; returns false where no neighbour list would do. Whether the list was long enough is asked
+/// once, at the end: if not, it is made longer, and all that follows from it is done again from the sorted
+/// state, which integration leaves alone. So is a step that moved a particle too far, with a shorter dt.
+bool Simulator::run_step(const Plan& plan, StepReport& report) {
   begin_step();
   const auto neighbours = std::find(plan.search.begin(), plan.search.end(), Stage::neighbours);
   run({plan.search.begin(), neighbours});
+  List list = List::fits;
   do {
     run({neighbours, plan.search.end()});
     run(plan.forces);
     solve_pressure(plan, report);
     run(plan.finish);
-  } while (list_was_too_short());
+    list = judge_list();
+    if (list == List::beyond_bounds) return false;
+  } while (list == List::longer_now || moved_too_far(report));
   // Not before the step stands: a solve with a list that was too short means nothing.
   if (!plan.sweep.empty()) first_look_ = std::min(report.iterations, most_sweeps_unseen);
+  return true;
+}
+
+/// Reads what an adaptive step led to; shortens it if that is too far and there is a shorter one.
+bool Simulator::moved_too_far(StepReport& report) {
+  if (!control_) return false;
+  report.diagnostics = read_diagnostics();
+  if (control_->holds(report.diagnostics)) return false;
+  const std::optional<double> dt = control_->shorter(params_.dt, report.diagnostics);
+  if (!dt) return false;
+  change_dt(*dt);
+  ++report.repeats;
+  return true;
 }
 
 /// Makes the neighbour list longer if it is too short.
-bool Simulator::list_was_too_short() {
+Simulator::List Simulator::judge_list() {
   uint32_t needed = 0;
   backend_.download(Field::list_needed, std::span(&needed, 1));
-  if (needed <= sizes_.list) return false;
-  if (needed == list_beyond_bounds) {
-    throw EnvironmentError(
-        fmt::format("step {}: the neighbour list would need more than 2^32 entries, or on the GPU more than "
-                    "{} particles crowd "
-                    "around one; use a smaller time step or fewer particles",
-                    steps_, most_rounds));
-  }
-  sizes_.list =
-      std::min<uint64_t>(uint64_t{needed} + needed / 4, list_beyond_bounds - 1) / slice_width * slice_width;
+  if (needed <= sizes_.list) return List::fits;
+  const uint64_t most = std::min<uint64_t>(most_list_growth * first_list_size(sizes_.fluid, scene_.smoothing),
+                                           list_beyond_bounds - 1);
+  if (needed > most) return List::beyond_bounds;
+  sizes_.list = std::min<uint64_t>(uint64_t{needed} + needed / 4, most) / slice_width * slice_width;
   backend_.resize_list(sizes_.list);
-  return true;
+  return List::longer_now;
 }
 
 /// The IISPH loop [Hunkler 2022, algorithm 6]; when it ends is decided by the stage `stop_test`.
@@ -210,29 +243,79 @@ void Simulator::solve_pressure(const Plan& plan, StepReport& report) {
 }
 
 void Simulator::change_dt(double dt) {
+  if (dt == params_.dt) return;
   time_before_ = time();
   steps_before_ = steps_;
-  Scene changed = scene_;
-  changed.dt = dt;
-  params_ = make_params(changed, params_.n);
+  set_dt(params_, scene_, dt);
   backend_.configure(params_, plan_.needs);
 }
 
-StepReport Simulator::step() {
-  StepReport report;
-  report.step = ++steps_;
-  report.time = time();
-  report.dt = params_.dt;
-  run_step(plan_, report);
+StepControl Simulator::make_control() const {
+  return {*scene_.adaptive, scene_.spacing, step_bounds(scene_, samples_).safe()};
+}
+
+/// The first step follows from the start's speeds and external accelerations.
+void Simulator::begin_adaptive(const std::vector<Vec2>& x, const std::vector<Vec2>& v) {
+  control_ = make_control();
+  double speed = 0, acceleration = 0;
+  for (size_t i = 0; i < x.size(); ++i) {
+    const Vec2 a = params_.gravity - params_.central_force * (x[i] - params_.centre);
+    speed = std::max(speed, std::hypot(v[i].x, v[i].y));
+    acceleration = std::max(acceleration, std::hypot(a.x, a.y));
+  }
+  next_dt_ = control_->longest(speed, acceleration);
+}
+
+bool Simulator::is_cut_short(double end) const { return control_ && end - time() < 2 * next_dt_; }
+
+/// The next step of a run that is to end at `end`: the last two share what is left, as one tiny step would
+/// ask for huge accelerations.
+double Simulator::cut_dt(double end) const {
+  constexpr double close = 1 + 1e-6;
+  const double left = end - time();
+  if (left <= close * next_dt_) return left;
+  return is_cut_short(end) ? left / 2 : next_dt_;
+}
+
+Diagnostics Simulator::read_diagnostics() const {
   std::array<double, total_count> totals{};
   backend_.download(Field::totals, totals);
-  report.diagnostics = make_diagnostics(totals, params_);
-  if (is_suspect(report, params_)) {
-    const Snapshot after = snapshot();
-    last_state_finite_ = is_finite(after);
-    failure_ = find_failure(report, params_, state_before_step(), after);
+  return make_diagnostics(totals, params_);
+}
+
+StepReport Simulator::step(double end) {
+  StepReport report;
+  if (control_) change_dt(cut_dt(end));
+  const bool ends = params_.dt == end - time();
+  const bool stands = run_step(plan_, report);
+  ++steps_;
+  if (ends && report.repeats == 0) {  // there, and not a rounding error beside it
+    time_before_ = end;
+    steps_before_ = steps_;
   }
+  report.step = steps_;
+  report.time = time();
+  report.dt = params_.dt;
+  if (stands && !control_) report.diagnostics = read_diagnostics();
+  if (!stands) report.diagnostics = diagnostics_;
+  find_failure(report, stands);
+  diagnostics_ = report.diagnostics;
+  if (control_) next_dt_ = control_->next(params_.dt, diagnostics_);
   return report;
+}
+
+void Simulator::find_failure(const StepReport& report, bool stands) {
+  const bool holds = !control_ || control_->holds(report.diagnostics);
+  if (stands && holds && !is_suspect(report, params_)) return;
+  last_state_stands_ = stands;
+  const Snapshot after = snapshot();
+  if (!stands) {
+    failure_ = find_crowd(report, params_, after);
+    return;
+  }
+  last_state_stands_ = is_finite(after);
+  failure_ = is_suspect(report, params_) ? sluice::find_failure(report, params_, state_before_step(), after)
+                                         : find_runaway(report, params_, scene_.adaptive->cfl, after);
 }
 
 std::vector<uint32_t> Simulator::ids(Field field) const {
@@ -254,22 +337,23 @@ std::vector<Vec2> Simulator::vectors(Field field) const {
 }
 
 Snapshot Simulator::snapshot() const {
-  if (!last_state_finite_) return state_before_step();
+  if (!last_state_stands_) return state_before_step();
   const std::vector<uint32_t> id = ids(Field::id);
-  return {by_id(vectors(Field::x_in), id), by_id(vectors(Field::v_in), id), by_id(scalars(Field::rho), id),
-          by_id(scalars(Field::p), id), steps_};
+  return {by_id(moved(vectors(Field::x_in), params_.origin), id), by_id(vectors(Field::v_in), id),
+          by_id(scalars(Field::rho), id), by_id(scalars(Field::p), id), steps_};
 }
 
 /// It is still there: x and v in the order of the last step, rho and p in that of the step before.
 Snapshot Simulator::state_before_step() const {
   const std::vector<uint32_t> id = ids(Field::id), id_before = ids(Field::id_in);
-  return {by_id(vectors(Field::x), id), by_id(vectors(Field::v), id),
+  return {by_id(moved(vectors(Field::x), params_.origin), id), by_id(vectors(Field::v), id),
           by_id(scalars(Field::rho_in), id_before), by_id(scalars(Field::p_in), id_before), steps_ - 1};
 }
 
 SimulationState Simulator::state() const {
   const std::vector<uint32_t> id = ids(Field::id);
-  return {{steps_, steps_before_, time_before_, params_.dt, time()},
+  return {{steps_, steps_before_, time_before_, params_.dt, next_dt_},
+          diagnostics_,
           by_id(vectors(Field::x_in), id),
           by_id(vectors(Field::v_in), id),
           by_id(scalars(Field::rho), id),
@@ -284,9 +368,10 @@ Simulator::Simulator(const Scene& scene, const Samples& samples, Backend& backen
   steps_ = state.clock.steps;
   steps_before_ = state.clock.steps_before;
   time_before_ = state.clock.time_before;
-  Scene changed = scene;
-  changed.dt = state.clock.dt;
-  params_ = make_params(changed, params_.n);
+  next_dt_ = state.clock.next_dt;
+  diagnostics_ = state.diagnostics;
+  if (scene.adaptive) control_ = make_control();
+  set_dt(params_, scene, state.clock.dt);
   set_up(plan_, params_);
   upload_state(state.x, state.v);
   backend_.upload(Field::rho, state.density);

@@ -2,6 +2,7 @@
 // converged and whether the run is still valid. All policy is here; the backend only computes.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "core/sampling.hpp"
 #include "core/scene.hpp"
 #include "core/simulation_state.hpp"
+#include "core/time_step.hpp"
 
 namespace sluice {
 
@@ -26,12 +28,16 @@ class Simulator {
   Simulator(const Scene& scene, const Samples& samples, Backend& backend, const SimulationState& state);
 
   /// Runs one step. Sets failure() when the state it leads to is invalid; then no further step may follow.
-  StepReport step();
+  /// Where the scene's steps adapt, they are shortened to end at the time `end`, and one that moves a
+  /// particle too far is repeated with a shorter dt.
+  StepReport step(double end = std::numeric_limits<double>::infinity());
 
   uint64_t steps() const { return steps_; }
   double time() const { return time_before_ + static_cast<double>(steps_ - steps_before_) * params_.dt; }
   double dt() const { return params_.dt; }
-  /// The time step from now on, above 0.
+  /// Whether the next step has to be shorter than the fluid would need for a run to end at `end`.
+  bool is_cut_short(double end) const;
+  /// The time step from now on, above 0; where steps adapt, of the next one.
   void change_dt(double dt);
   const std::optional<Failure>& failure() const { return failure_; }
   const Plan& plan() const { return plan_; }
@@ -52,9 +58,16 @@ class Simulator {
   void upload_state(const std::vector<Vec2>& x, const std::vector<Vec2>& v);
   void set_up(const Plan& plan, const Params& params);
   void begin_step();
+  void begin_adaptive(const std::vector<Vec2>& x, const std::vector<Vec2>& v);
+  StepControl make_control() const;
+  double cut_dt(double end) const;
   void run(std::span<const Stage> stages);
-  void run_step(const Plan& plan, StepReport& report);
-  bool list_was_too_short();
+  bool run_step(const Plan& plan, StepReport& report);
+  bool moved_too_far(StepReport& report);
+  Diagnostics read_diagnostics() const;
+  void find_failure(const StepReport& report, bool stands);
+  enum class List { fits, longer_now, beyond_bounds };
+  List judge_list();
   void solve_pressure(const Plan& plan, StepReport& report);
   Snapshot state_before_step() const;
   std::vector<uint32_t> ids(Field field) const;
@@ -69,9 +82,12 @@ class Simulator {
   Plan plan_;
   uint32_t first_look_ = 1;  ///< sweeps before the solve is looked at: as many as the last one needed
   uint64_t steps_ = 0;
-  uint64_t steps_before_ = 0;  ///< steps and time before the last change of dt
+  std::optional<StepControl> control_;  ///< where the steps adapt
+  double next_dt_ = 0;                  ///< of the next step, unless it is cut short
+  uint64_t steps_before_ = 0;           ///< steps and time before the last change of dt
   double time_before_ = 0;
-  bool last_state_finite_ = true;
+  Diagnostics diagnostics_;        ///< of the last step
+  bool last_state_stands_ = true;  ///< what the last step led to can be shown
   std::optional<Failure> failure_;
 };
 

@@ -47,6 +47,9 @@ void RunStatistics::add(const StepReport& report) {
   counts_.compression_max = larger(counts_.compression_max, d.max_compression);
   counts_.cfl_max = larger(counts_.cfl_max, d.cfl);
   counts_.lost = d.lost;
+  counts_.repeats += report.repeats;
+  counts_.dt_min = std::min(counts_.dt_min, report.dt);
+  counts_.dt_max = std::max(counts_.dt_max, report.dt);
 }
 
 nlohmann::ordered_json to_json(const RunSummary& summary) {
@@ -97,6 +100,11 @@ std::string to_text(const RunSummary& summary) {
     text +=
         fmt::format("iterations {:.2f} on average, {} at most; {} steps did not converge\n",
                     statistics.iterations_mean(), statistics.iterations_max(), statistics.not_converged());
+  }
+  if (scene.adaptive && statistics.steps() > 0) {
+    text += fmt::format("dt {:.3g} to {:.3g}, {:.3g} on average; {} steps were repeated with a smaller one\n",
+                        statistics.dt_min(), statistics.dt_max(),
+                        simulator.time() / static_cast<double>(statistics.steps()), statistics.repeats());
   }
   text += fmt::format(
       "compression {:.2e} on average, {:.2e} at most; cfl {:.3f} at most; {} particles lost\n\n",

@@ -1,6 +1,7 @@
 // What remains of a run when it is over: counts, means, extremes, timings; for people and as JSON.
 #pragma once
 
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -11,9 +12,10 @@ namespace sluice {
 /// What means and extremes are made of. Kept whole in checkpoints, so a change of it is a change of their
 /// format.
 struct RunCounts {
-  uint64_t steps = 0, iterations = 0, not_converged = 0;
+  uint64_t steps = 0, iterations = 0, not_converged = 0, repeats = 0;
   uint32_t iterations_max = 0, lost = 0;
   double compression_sum = 0, compression_max = 0, cfl_max = 0;
+  double dt_min = std::numeric_limits<double>::infinity(), dt_max = 0;
 };
 
 /// Means and extremes over the steps of a run, those before a checkpoint included.
@@ -32,6 +34,10 @@ class RunStatistics {
   double compression_max() const { return counts_.compression_max; }
   double cfl_max() const { return counts_.cfl_max; }
   uint32_t lost() const { return counts_.lost; }
+  double dt_min() const { return counts_.dt_min; }
+  double dt_max() const { return counts_.dt_max; }
+  /// Times an adaptive step was done again with a shorter dt.
+  uint64_t repeats() const { return counts_.repeats; }
 
   const RunCounts& counts() const { return counts_; }
   const RunCounts& before() const { return before_; }

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace sluice {
@@ -66,7 +67,7 @@ Failure find_failure(const StepReport& report, const Params& params, const Snaps
     failure.reason = fmt::format("a particle moved by {:.3g} spacings in one step, more than {:g}",
                                  report.diagnostics.cfl, largest_cfl);
   } else if (too_many_lost(report, params)) {
-    failure.id = first_with(n, [&](uint32_t i) { return is_lost(params, after.x[i]); });
+    failure.id = first_with(n, [&](uint32_t i) { return is_lost(params, after.x[i] - params.origin); });
     failure.reason = fmt::format("{} of {} particles are lost, more than {:g} %", report.diagnostics.lost,
                                  params.n, 100 * largest_lost_share);
   } else {
@@ -75,6 +76,26 @@ Failure find_failure(const StepReport& report, const Params& params, const Snaps
   }
   failure.x = is_finite(after.x[failure.id]) ? after.x[failure.id] : before.x[failure.id];
   return failure;
+}
+
+Failure find_runaway(const StepReport& report, const Params& params, double cfl, const Snapshot& after) {
+  const uint32_t id = fastest(after.v);
+  return {report.step, report.time, id, after.x[id],
+          fmt::format("the time step collapsed: even with dt {:g} a particle moved by {:.3g} spacings, more "
+                      "than time.cfl {:g}",
+                      params.dt, report.diagnostics.cfl, cfl)};
+}
+
+Failure find_crowd(const StepReport& report, const Params& params, const Snapshot& before) {
+  std::vector<uint32_t> members(size_t{params.columns} * params.rows);
+  for (const Vec2 x : before.x) ++members[cell_of(params, x - params.origin)];
+  const auto fullest = std::max_element(members.begin(), members.end());
+  const auto cell = static_cast<uint32_t>(fullest - members.begin());
+  const uint32_t id = first_with(
+      before.x.size(), [&](uint32_t i) { return cell_of(params, before.x[i] - params.origin) == cell; });
+  return {report.step, report.time, id, before.x[id],
+          fmt::format("{} particles crowd together in a cell of the grid, where about {:.0f} have room",
+                      *fullest, 1 / (params.inverse_cell * params.inverse_cell * params.h * params.h))};
 }
 
 }  // namespace sluice

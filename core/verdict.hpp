@@ -20,4 +20,11 @@ bool is_finite(const Snapshot& snapshot);
 Failure find_failure(const StepReport& report, const Params& params, const Snapshot& before,
                      const Snapshot& after);
 
+/// The reason why an adaptive step is invalid that moved a particle further than `cfl` spacings though no
+/// shorter one is allowed.
+Failure find_runaway(const StepReport& report, const Params& params, double cfl, const Snapshot& after);
+
+/// The reason why a step can't be made of a state in which too many particles stand in one place.
+Failure find_crowd(const StepReport& report, const Params& params, const Snapshot& before);
+
 }  // namespace sluice

@@ -1,7 +1,7 @@
 // What the series and the summary report, per chunk of particles: sums of density, compression, speed
-// squared, position and force on the walls, the number of lost particles, and the largest compression and
-// speed squared. Densities and pressures are those of the step, positions and velocities those at its end.
-// The force on the walls is minus the boundary term of the pressure force.
+// squared, position and force on the walls, the number of lost particles, and the largest compression, speed
+// squared and change of velocity squared. Densities and pressures are those of the step, positions and
+// velocities those at its end. The force on the walls is minus the boundary term of the pressure force.
 #include "cpu/chunk_sums.hpp"
 #include "cpu/kernel.hpp"
 #include "cpu/stages.hpp"
@@ -14,6 +14,7 @@ template <class Real>
 void shares_of(const State<Real>& state, const auto& i, size_t place, auto& shares) {
   const ParamsOf<Real>& params = state.params;
   const auto x = i(state.x_in), v = i(state.v_in);
+  const auto change = v - i(state.v);
   const auto rho = i(state.rho);
   const auto compression = positive_part((rho - params.rho0) / params.rho0);
   const auto speed_squared = dot(v, v);
@@ -28,11 +29,11 @@ void shares_of(const State<Real>& state, const auto& i, size_t place, auto& shar
     shares.set(Total::wall_force_x, place, force.x);
     shares.set(Total::wall_force_y, place, force.y);
   }
-  const auto is_lost =
-      (x.x < params.domain_min.x) | (x.x > params.domain_max.x) | (x.y < params.domain_min.y);
+  const auto is_lost = (x.x < Real(0)) | (x.x > params.extent.x) | (x.y < Real(0));
   shares.set(Total::lost, place, those(is_lost, broadcast(Real(1))));
   shares.set(Total::max_compression, place, compression);
   shares.set(Total::max_speed_squared, place, speed_squared);
+  shares.set(Total::max_speed_change_squared, place, dot(change, change));
 }
 
 }  // namespace

@@ -7,9 +7,18 @@ namespace sluice::cpu::SLUICE_SET {
 
 namespace {
 
+/// Particles of a cell up to which insertion is fast whatever their order is.
+constexpr uint32_t few = 64;
+
 /// Sorts places first to last - 1, which hold hardly anything out of order.
 template <class Real>
 void sort_places(State<Real>& state, uint32_t first, uint32_t last) {
+  if (last - first > most_rounds) return;  // no step is made of such a crowd
+  if (last - first > few) {
+    std::sort(state.L.begin() + first, state.L.begin() + last,
+              [&](uint32_t a, uint32_t b) { return state.id_in[a] < state.id_in[b]; });
+    return;
+  }
   for (uint32_t place = first + 1; place < last; ++place) {
     const uint32_t particle = state.L[place];
     uint32_t hole = place;

@@ -25,10 +25,14 @@ struct Found {
 };
 
 /// Stores the neighbours of particle i from entry `first` on while they are before `end`; returns their
-/// number.
+/// number, or list_beyond_bounds, so that no list will do, when there are too many candidates.
 template <class Real>
 uint32_t search_crowd(State<Real>& state, uint32_t i, uint64_t first, uint64_t end) {
   const uint32_t cell = cell_of(state.params, state.x[i]);
+  uint64_t candidates = 0;
+  for_each_row(state.C, state.params.columns, cell,
+               [&](uint32_t row_first, uint32_t row_last) { candidates += row_last - row_first; });
+  if (candidates > most_rounds) return list_beyond_bounds;
   uint32_t count = 0;
   for_each_row(state.C, state.params.columns, cell, [&](uint32_t row_first, uint32_t row_last) {
     for (uint32_t j = row_first; j < row_last; ++j) {

@@ -23,9 +23,8 @@ Field field_of(Colour colour) {
 
 }  // namespace
 
-DeviceFluid::DeviceFluid(const Context& context, Vec2 corner)
+DeviceFluid::DeviceFluid(const Context& context)
     : context_(context),
-      corner_(corner),
       program_(context, context.shaders().load("draw_order.comp")),
       cloud_(context),
       largest_(context) {
@@ -52,7 +51,6 @@ void DeviceFluid::collect(const GpuBackend& backend, size_t count, Colour colour
   program_.bind("value_block", cloud_.values);
   program_.bind("largest_block", largest_);
   program_.set("count", static_cast<uint32_t>(count));
-  program_.set("corner", corner_);
   program_.set("of_vectors", colour == Colour::speed ? 1u : 0u);
   program_.set("unit", unit);
   const uint64_t group_size = program_.group_size();

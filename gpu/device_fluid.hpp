@@ -11,8 +11,7 @@ class GpuBackend;
 
 class DeviceFluid {
  public:
-  /// For pictures whose view has this lower left corner.
-  DeviceFluid(const Context& context, Vec2 corner);
+  explicit DeviceFluid(const Context& context);
   ~DeviceFluid();
   DeviceFluid(const DeviceFluid&) = delete;
   DeviceFluid& operator=(const DeviceFluid&) = delete;
@@ -29,7 +28,6 @@ class DeviceFluid {
 
  private:
   const Context& context_;
-  Vec2 corner_;
   ComputeProgram program_;
   Cloud cloud_;
   Buffer largest_;

@@ -70,7 +70,7 @@ void Painter::paint(Frame labels, double dt, const Snapshot& state) {
 }
 
 void Painter::paint(Frame labels, double dt, const GpuBackend& backend) {
-  if (!on_device_) on_device_.emplace(context_, scene_.domain_min);
+  if (!on_device_) on_device_.emplace(context_);
   on_device_->collect(backend, samples_.fluid.size(), labels.colour, colour_unit(scene_, labels.colour, dt));
   // Only pressure without gravity has a range of its own in every frame; asking waits for the device.
   const bool asks = labels.colour == Colour::pressure && depth_ == 0;

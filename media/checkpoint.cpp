@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -49,11 +50,23 @@ bool from_bytes(std::string_view bytes, std::span<double> values) {
   return finite;
 }
 
-bool is_plausible(const RunClock& clock, const RunCounts& counts) {
-  const bool times = std::isfinite(clock.time) && clock.time >= 0 && std::isfinite(clock.time_before) &&
-                     clock.time_before >= 0 && std::isfinite(clock.dt) && clock.dt > 0;
-  return times && clock.steps <= most_steps && clock.steps_before <= clock.steps &&
-         counts.steps == clock.steps && counts.not_converged <= counts.steps;
+/// The same numbers, to be read or written in this order.
+auto numbers_of(auto& d) {
+  return std::array{
+      &d.mean_density,     &d.mean_compression, &d.max_compression, &d.kinetic_energy,   &d.potential_energy,
+      &d.centre_of_mass.x, &d.centre_of_mass.y, &d.max_speed,       &d.max_speed_change, &d.cfl,
+      &d.wall_force.x,     &d.wall_force.y};
+}
+
+bool is_plausible(const RunClock& clock, const Scene& scene) {
+  const bool times = clock.time_before >= 0 && std::isfinite(clock.time()) && clock.dt > 0;
+  if (!times || clock.steps > most_steps || clock.steps_before > clock.steps) return false;
+  if (!scene.adaptive) return clock.dt == scene.dt && clock.next_dt == 0;
+  return clock.next_dt >= scene.adaptive->dt_min && clock.next_dt <= scene.adaptive->dt_max;
+}
+
+bool is_plausible(const RunCounts& counts, const RunClock& clock) {
+  return counts.steps == clock.steps && counts.not_converged <= counts.steps;
 }
 
 /// Offsets of the parts of a file whose header has this size.
@@ -112,12 +125,15 @@ void read_state(CheckedFile& file, const Parts& parts, Checkpoint& found) {
   const uint64_t each = values_per_particle * (wide ? sizeof(double) : sizeof(float));
   const uint64_t bytes = parts.checksum - parts.particles;
   if (facts.particles == 0 || facts.particles > bytes / each || facts.particles * each != bytes ||
-      !is_plausible(facts.clock, facts.counts)) {
+      !is_plausible(facts.clock, found.scene) || !is_plausible(facts.counts, facts.clock)) {
     file.refuse_altered();
   }
   found.counts = facts.counts;
   SimulationState& state = found.state;
   state.clock = facts.clock;
+  size_t k = 0;
+  for (double* number : numbers_of(state.diagnostics)) *number = facts.diagnostics[k++];
+  state.diagnostics.lost = facts.counts.lost;
   state.x.resize(facts.particles);
   state.v.resize(facts.particles);
   state.density.resize(facts.particles);
@@ -167,7 +183,10 @@ void CheckpointWriter::write(const SimulationState& state, const RunCounts& coun
     file.write(bytes);
   };
   put(state_->start);
-  put(bytes_of(Facts{state.x.size(), state.clock, counts}));
+  Facts facts{state.x.size(), state.clock, counts, {}};
+  size_t k = 0;
+  for (const double* number : numbers_of(state.diagnostics)) facts.diagnostics[k++] = *number;
+  put(bytes_of(facts));
   for (const std::span<const double> values :
        {flat(state.x), flat(state.v), std::span(state.density), std::span(state.pressure)}) {
     put(state_->precision == Precision::double_ ? as_bytes<double>(values) : as_bytes<float>(values));

@@ -1,6 +1,9 @@
 // Density by summation over the neighbours, the particle itself and the boundary [Hunkler 2022, algorithm 5]:
 //   rho_i = m (W_ii + sum_j W_ij) + sum_b m_b W_ib
 // and on the way the kernel gradient dW_ij of every entry of the neighbour list [Hunkler 2022, eq. 5.2].
+//
+// Differs from [Hunkler 2022]: particles closer than 1e-4 h are pushed apart along a fixed direction, see
+// cpu/density.cpp.
 
 #include "lib/kernel.glsl"
 #include "lib/neighbours.glsl"
@@ -12,6 +15,9 @@ void run(uint i) {
     precise vec2 x_ij = x_i - load(x, load(index, entry));
     float r = length_of(x_ij);
     vec2 dW = kernel_gradient(x_ij, r);
+    if (r < params.coincidence) {
+      dW = load(id, i) > load(id, load(index, entry)) ? params.parting_gradient : -params.parting_gradient;
+    }
     uint block = 2u * entry - entry % slice_width;
     gradient[block] = dW.x;
     gradient[block + slice_width] = dW.y;

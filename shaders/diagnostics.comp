@@ -1,17 +1,17 @@
 // What the series and the summary report, per chunk of 64 particles and in their order: sums of density, compression,
-// speed squared, position and force on the walls, the number of lost particles, and the largest compression and speed
-// squared.
+// speed squared, position and force on the walls, the number of lost particles, and the largest compression, speed
+// squared and change of velocity squared.
 
 #include "lib/vectors.glsl"
 #include "lib/wall.glsl"
 
 bool is_lost(vec2 at) {
-  return at.x < params.domain_min.x || at.x > params.domain_max.x || at.y < params.domain_min.y;
+  return at.x < 0.0 || at.x > params.extent.x || at.y < 0.0;
 }
 
 void run(uint chunk) {
   precise float density = 0.0, compression = 0.0, speed_squared = 0.0, lost = 0.0;
-  float max_compression = 0.0, max_speed_squared = 0.0;
+  float max_compression = 0.0, max_speed_squared = 0.0, max_speed_change_squared = 0.0;
   precise vec2 position = vec2(0.0), wall_force = vec2(0.0);
   for (uint i = chunk * chunk_width; i < min((chunk + 1u) * chunk_width, params.n); ++i) {
     vec2 x_i = load(x_in, i), v_i = load(v_in, i);
@@ -29,6 +29,8 @@ void run(uint chunk) {
     lost += is_lost(x_i) ? 1.0 : 0.0;
     max_compression = larger(max_compression, above);
     max_speed_squared = larger(max_speed_squared, square);
+    precise vec2 change = v_i - load(v, i);
+    max_speed_change_squared = larger(max_speed_change_squared, dot_of(change, change));
   }
   diagnostic_sums[total_density * count + chunk] = density;
   diagnostic_sums[total_compression * count + chunk] = compression;
@@ -40,4 +42,5 @@ void run(uint chunk) {
   diagnostic_sums[total_lost * count + chunk] = lost;
   diagnostic_sums[total_max_compression * count + chunk] = max_compression;
   diagnostic_sums[total_max_speed_squared * count + chunk] = max_speed_squared;
+  diagnostic_sums[total_max_speed_change_squared * count + chunk] = max_speed_change_squared;
 }

@@ -40,7 +40,7 @@ struct Saved {
 
 void expect_equal(const SimulationState& a, const SimulationState& b) {
   EXPECT_EQ(a.clock.steps, b.clock.steps);
-  EXPECT_EQ(a.clock.time, b.clock.time);
+  EXPECT_EQ(a.clock.time(), b.clock.time());
   EXPECT_EQ(a.clock.dt, b.clock.dt);
   EXPECT_EQ(a.x, b.x);
   EXPECT_EQ(a.v, b.v);
@@ -61,6 +61,12 @@ TEST(Checkpoint, EveryBitComesBack) {
     EXPECT_GT(found.state.v[3].y, -100);
     EXPECT_NE(found.state.v[3].y, 0);
     expect_equal(found.state, saved.state);
+    EXPECT_EQ(found.state.diagnostics.kinetic_energy, saved.state.diagnostics.kinetic_energy);
+    EXPECT_EQ(found.state.diagnostics.wall_force, saved.state.diagnostics.wall_force);
+    EXPECT_GT(found.state.diagnostics.max_speed_change, 0);
+    EXPECT_EQ(found.state.diagnostics.lost, 3u);
+    EXPECT_EQ(found.counts.dt_min, 0.04);
+    EXPECT_EQ(found.counts.dt_max, 0.04);
     EXPECT_EQ(found.counts.steps, 5u);
     EXPECT_EQ(found.counts.iterations, saved.counts.iterations);
     EXPECT_EQ(found.counts.iterations_max, saved.counts.iterations_max);
@@ -119,7 +125,7 @@ class DamagedCheckpoint : public testing::Test {
  protected:
   DamagedCheckpoint() : saved(folder / "whole.ckp", Precision::single_) {
     bytes = read_file(folder / "whole.ckp");
-    facts = bytes.size() - 8 - 24 * saved.state.x.size() - 104;
+    facts = bytes.size() - 8 - 24 * saved.state.x.size() - 224;
   }
   std::string refusal(const std::string& changed) {
     write(folder / "changed.ckp", changed);
@@ -134,7 +140,7 @@ class DamagedCheckpoint : public testing::Test {
 
   /// Of the file, of its header or of its facts.
   bool near_an_end(size_t place) const {
-    return place < 40 || (place + 20 > facts && place < facts + 124) || place + 20 > bytes.size();
+    return place < 40 || (place + 20 > facts && place < facts + 244) || place + 20 > bytes.size();
   }
 
   const std::string altered = "found a checkpoint that was cut off or altered";
@@ -191,7 +197,8 @@ TEST_F(DamagedCheckpoint, NumbersThatLieAreRefusedEvenWithTheRightChecksum) {
   for (const uint32_t size : {0u, 1u, 0x7fffffffu, 0xffffffffu})
     EXPECT_TRUE(refusal(with(21, size)).starts_with(altered)) << size;
   const uint64_t n = saved.state.x.size();
-  for (const uint64_t count : {uint64_t{0}, n - 1, n + 1, uint64_t{1} << 60, ~uint64_t{0} / 24 + 1})
+  for (const uint64_t count :
+       {uint64_t{0}, n - 1, n + 1, n + (uint64_t{1} << 61), uint64_t{1} << 60, ~uint64_t{0} / 24 + 1})
     EXPECT_TRUE(refusal(with(facts, count)).starts_with(altered)) << count;
   for (const uint64_t steps : {uint64_t{4}, uint64_t{1} << 60}) {
     EXPECT_TRUE(refusal(with(facts + 8, steps)).starts_with(altered)) << steps;   // not that of the counts
@@ -204,7 +211,11 @@ TEST_F(DamagedCheckpoint, NumbersThatLieAreRefusedEvenWithTheRightChecksum) {
       EXPECT_TRUE(refusal(with(facts + place, value)).starts_with(altered)) << place << ' ' << value;
   }
   EXPECT_TRUE(refusal(with(facts + 32, 0.0)).starts_with(altered)) << "no time step";
-  for (const size_t place : {size_t{104}, size_t{108}, 104 + 24 * n - 4}) {
+  EXPECT_TRUE(refusal(with(facts + 32, 0.03)).starts_with(altered)) << "not that of the scene";
+  std::string far = with(facts + 8, uint64_t{1} << 60);
+  far.replace(facts + 48, 8, far, facts + 8, 8);
+  EXPECT_TRUE(refusal(resealed(far)).starts_with(altered)) << "more steps than any run has";
+  for (const size_t place : {size_t{224}, size_t{228}, 224 + 24 * n - 4}) {
     EXPECT_TRUE(refusal(with(facts + place, static_cast<float>(nan))).starts_with(altered)) << place;
     EXPECT_TRUE(refusal(with(facts + place, static_cast<float>(infinite))).starts_with(altered)) << place;
   }

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 
+#include "media/checkpoint.hpp"
 #include "media/recording.hpp"
 #include "tests/support/checkpointed.hpp"
 
@@ -63,6 +64,26 @@ TEST_F(CliCheckpoint, EveryMethodGoesOn) {
     run(Words{"--resume", "a.ckp", "--steps", "12"} + machine + outputs("part"));
     expect_tail("whole", "part", 5);
   }
+}
+
+// The last steps of a run that ends at a time are cut short. One that goes on has none of them.
+TEST_F(CliCheckpoint, StepsThatAdaptGoOnAsIfTheFirstEndHadNotBeen) {
+  const Words adaptive{"breaking_dam", "--set",           "time.cfl=0.05", "--set", "time.dt_min=0.001",
+                       "--set",        "time.dt_max=0.1", "--backend",     "cpu"};
+  run(adaptive + Words{"--time", "1.3", "--checkpoint", "whole.ckp"} + outputs("whole"));
+  run(adaptive + Words{"--time", "0.7", "--checkpoint", "a.ckp"} + outputs("first"));
+  EXPECT_EQ(read_json(folder / "first.json")["time"], 0.7);
+  const size_t from = read_checkpoint(folder / "a.ckp").state.clock.steps;
+  EXPECT_LT(from, read_json(folder / "first.json")["steps"].get<size_t>())
+      << "before the steps that were cut";
+  run({"--resume", "a.ckp", "--time", "1.3", "--checkpoint", "b.ckp", "--backend", "cpu"});
+  EXPECT_TRUE(bytes("whole.ckp") == bytes("b.ckp"));
+  run(Words{"--resume", "a.ckp", "--time", "1.3", "--backend", "cpu"} + outputs("part"));
+  expect_tail("whole", "part", from);
+  run(Words{"--resume", "a.ckp", "--time", "0.7", "--backend", "cpu"} + outputs("part"));
+  expect_tail("first", "part", from);
+  const Table rows = read_table(folder / "whole.rows");
+  EXPECT_NE(rows.text(2, "dt"), rows.text(rows.size() - 4, "dt")) << "they do adapt";
 }
 
 TEST_F(CliCheckpoint, GoesOnASecondTimeUnderTheSameName) {

@@ -85,7 +85,7 @@ class GpuFrames : public PictureTest {
 
 TEST_F(GpuFrames, AreThoseOfTheSnapshotToTheLastByte) {
   GpuRun run(context, shipped("breaking_dam", {"domain.min=[-0.1,0.7]"}));
-  DeviceFluid fluid(context, run.scene.domain_min);
+  DeviceFluid fluid(context);
   for (const uint64_t step : {0, 1, 2, 90}) {
     while (run.simulator.steps() < step) run.simulator.step();
     for (const auto shape : {ParticleShape::automatic, ParticleShape::quads})
@@ -113,13 +113,13 @@ TEST_F(GpuFrames, FarFromTheOriginNothingChanges) {
   GpuRun run(context, shipped("breaking_dam", {"boundary.container=[]", "domain.min=[8388608.3,0]",
                                                "domain.max=[8389008,600]", "fluid.rect.0.min=[8388632,24]",
                                                "fluid.rect.0.max=[8388832,264]"}));
-  DeviceFluid fluid(context, run.scene.domain_min);
+  DeviceFluid fluid(context);
   expect_same_pictures(run, fluid, ParticleShape::automatic);
 }
 
 TEST_F(GpuFrames, TheLargestValueIsThatOfTheSnapshot) {
   GpuRun run(context, shipped("breaking_dam"));
-  DeviceFluid fluid(context, run.scene.domain_min);
+  DeviceFluid fluid(context);
   const size_t n = run.samples.fluid.size();
   const auto expect_largest = [&](Colour colour, double unit) {
     fluid.collect(*run.backend, n, colour, unit);

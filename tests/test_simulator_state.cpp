@@ -30,6 +30,7 @@ const std::vector<Case> cases{
     {"ssph", "breaking_dam", {"pressure.method=ssph"}},
     {"wcsph_xsph_akinci", "wcsph_box", {}},
     {"iisph_akinci", "iisph_box", {}},
+    {"adaptive", "breaking_dam", {"time.cfl=0.02", "time.dt_min=1e-3", "time.dt_max=0.1"}},
 };
 
 /// A scene, a place to run it, and what the places need.
@@ -61,6 +62,7 @@ void expect_equal(const StepReport& a, const StepReport& b) {
   EXPECT_EQ(a.step, b.step);
   EXPECT_EQ(a.time, b.time);
   EXPECT_EQ(a.dt, b.dt);
+  EXPECT_EQ(a.repeats, b.repeats);
   EXPECT_EQ(a.iterations, b.iterations);
   EXPECT_EQ(a.residual, b.residual);
   EXPECT_EQ(a.diagnostics.kinetic_energy, b.diagnostics.kinetic_energy);

@@ -61,10 +61,10 @@ Scene scene_to_run(const RunOptions& options, const std::optional<Checkpoint>& f
   Scene scene = options.scene ? load_given(options, *from, overrides)
                               : parse_scene(from->scene.text, from->scene.file, overrides);
   if (const auto difference = first_difference(from->scene.settings, scene.settings)) {
-    throw InputError(
-        fmt::format("{}: found a checkpoint made with {} {}, expected one with {}, as this run asks for; only "
-                    "output, scene and time.duration may change on the way",
-                    options.resume->string(), difference->key, difference->before, difference->now));
+    throw InputError(fmt::format(
+        "{}: found a checkpoint made with {} {}, expected one with {}, as this run asks for; only "
+        "output, scene and time.duration may change on the way",
+        options.resume->string(), difference->key, difference->before, difference->now));
   }
   return scene;
 }
@@ -99,7 +99,7 @@ Checkpoints::Checkpoints(const RunOptions& options, const Scene& scene, const Ba
 }
 
 void Checkpoints::write(const Simulator& simulator, const RunStatistics& statistics) {
-  if (!writer_ || simulator.failure() || written_ == simulator.steps()) return;
+  if (!wanted() || simulator.failure() || written_ == simulator.steps()) return;
   writer_->write(simulator.state(), statistics.counts());
   written_ = simulator.steps();
 }

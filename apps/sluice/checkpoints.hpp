@@ -41,9 +41,13 @@ class Checkpoints {
   /// Makes sure that the place can be written. `time` is that from which the run goes on.
   Checkpoints(const RunOptions& options, const Scene& scene, const Backend& backend, double time);
 
-  bool due(double time) { return writer_ && clock_ && clock_->advance(time); }
-  /// Returns when it is on the disk. Does nothing where none was asked for, where it is there already, and
-  /// after a step that failed: the last good one stays.
+  /// Whether there is one to be written at all.
+  bool wanted() const { return writer_ && !held_; }
+  bool due(double time) { return wanted() && clock_ && clock_->advance(time); }
+  /// From here on the run is no longer that of a later end: the last one stays.
+  void hold() { held_ = true; }
+  /// Returns when it is on the disk. Does nothing where none is wanted, where it is there already, and after
+  /// a step that failed: the last good one stays.
   void write(const Simulator& simulator, const RunStatistics& statistics);
   /// After a run that became invalid: which checkpoint there is.
   void tell_of_last() const;
@@ -52,6 +56,7 @@ class Checkpoints {
   std::string name_;
   std::optional<CheckpointWriter> writer_;
   std::optional<CheckpointClock> clock_;
+  bool held_ = false;
   std::optional<uint64_t> written_;  ///< the step of the last one
 };
 

@@ -46,8 +46,14 @@ void print_scene(const std::string& name, const std::vector<std::string>& overri
     fmt::print(" ({} boundary samples dropped as doubles)", samples.boundary_dropped);
   fmt::print("\nspacing h {:g}, smoothing length H {:g}, particle mass m {:g}\n", scene.spacing,
              scene.smoothing_length(), scene.mass());
-  fmt::print("method: {}, dt {:g}, duration {:g}: {:.0f} steps\n", title_of(scene.method), scene.dt,
-             scene.duration, std::round(scene.duration / scene.dt));
+  fmt::print("method: {}, ", title_of(scene.method));
+  if (const auto& adaptive = scene.adaptive) {
+    fmt::print("dt {:g} to {:g} at a cfl of {:g}, duration {:g}\n", adaptive->dt_min, adaptive->dt_max,
+               adaptive->cfl, scene.duration);
+  } else {
+    fmt::print("dt {:g}, duration {:g}: {:.0f} steps\n", scene.dt, scene.duration,
+               std::round(scene.duration / scene.dt));
+  }
   for (const Precision precision : {Precision::single_, Precision::double_}) {
     const MemoryNeed need = memory_need(scene, precision);
     fmt::print("memory in {}: {:.0f} bytes per fluid particle, about {} in all\n", name_of(precision),

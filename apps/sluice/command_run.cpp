@@ -1,9 +1,11 @@
 // `sluice run`: simulates a scene and writes what was asked for.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 #include "apps/sluice/checkpoints.hpp"
 #include "apps/sluice/clashes.hpp"
@@ -28,9 +30,26 @@ namespace {
 using Clock = std::chrono::steady_clock;
 constexpr double most_frames = 1e6;  // frame names have six digits
 
-uint64_t step_count(const RunOptions& options, const Scene& scene) {
-  if (options.steps) return *options.steps;
+/// Where a run ends: after so many steps, or at a time.
+struct RunEnd {
+  uint64_t steps = std::numeric_limits<uint64_t>::max();
+  double time = std::numeric_limits<double>::infinity();
+
+  bool reached(const Simulator& simulator) const {
+    return simulator.steps() >= steps || simulator.time() >= time;
+  }
+  bool at_time() const { return std::isfinite(time); }
+  /// The time it is reached at, or if steps adapt the latest.
+  double latest(double dt) const { return at_time() ? time : static_cast<double>(steps) * dt; }
+  std::string text() const {
+    return at_time() ? fmt::format("time {:g}", time) : fmt::format("step {}", steps);
+  }
+};
+
+RunEnd end_of(const RunOptions& options, const Scene& scene) {
+  if (options.steps) return {.steps = *options.steps};
   const double duration = options.time.value_or(scene.duration);
+  if (scene.adaptive) return {.time = duration};
   const double steps = std::round(duration / scene.dt);
   if (steps > 1e15) {
     throw InputError(
@@ -38,12 +57,12 @@ uint64_t step_count(const RunOptions& options, const Scene& scene) {
                     "a larger time step",
                     scene.file, steps));
   }
-  return static_cast<uint64_t>(steps);
+  return {.steps = static_cast<uint64_t>(steps)};
 }
 
-void limit_frames(const RunOptions& options, const Scene& scene, uint64_t steps) {
-  const double frames =
-      std::floor((static_cast<double>(steps) * scene.dt + FrameClock::slack) * scene.fps) + 1;
+/// Of a run up to this time.
+void limit_frames(const RunOptions& options, const Scene& scene, double time) {
+  const double frames = std::floor((time + FrameClock::slack) * scene.fps) + 1;
   if (!options.frames.any() || frames <= most_frames) return;
   throw InputError(
       fmt::format("{}: output.fps: found {:g}, which makes {:.3g} frames, expected at most {:g}; use a "
@@ -79,7 +98,7 @@ class Outputs {
     if (options.summary) summary_.emplace(*options.summary);
     if (options.series) series_.emplace(*options.series, precision_);
     FramesBefore before;
-    if (from && takes_frames_) before = {clock_.advance(from->state.clock.time), from->state.clock.time};
+    if (from && takes_frames_) before = {clock_.advance(from->state.clock.time()), from->state.clock.time()};
     frames_.emplace(
         options.frames, scene, samples, precision_, machine.backend().device(),
         [&]() -> const gpu::Context& { return machine.context(); }, before);
@@ -138,24 +157,30 @@ void add_start(const Simulator& simulator, Outputs& outputs) {
   outputs.add(simulator, start, 0);
 }
 
-void simulate(Simulator& simulator, uint64_t steps, Outputs& outputs, Checkpoints& checkpoints,
+void simulate(Simulator& simulator, const RunEnd& end, Outputs& outputs, Checkpoints& checkpoints,
               Progress& progress, RunStatistics& statistics, double& seconds) {
-  while (simulator.steps() < steps && !simulator.failure() && !interrupted()) {
+  const auto save = [&] {
+    outputs.flush();
+    checkpoints.write(simulator, statistics);
+  };
+  while (!end.reached(simulator) && !simulator.failure() && !interrupted()) {
+    // The last steps of a run that ends at a time are shorter than those of one that goes on.
+    if (checkpoints.wanted() && simulator.is_cut_short(end.time)) {
+      save();
+      checkpoints.hold();
+    }
     const Clock::time_point before = Clock::now();
-    const StepReport report = simulator.step();
+    const StepReport report = simulator.step(end.time);
     const double step_seconds = std::chrono::duration<double>(Clock::now() - before).count();
     seconds += step_seconds;
     statistics.add(report);
     outputs.add(simulator, report, step_seconds);
-    if (checkpoints.due(report.time)) {
-      outputs.flush();
-      checkpoints.write(simulator, statistics);
-    }
+    if (checkpoints.due(report.time)) save();
     progress.show(report.step, report, statistics.not_converged());
   }
 }
 
-int report_end(const RunSummary& summary, uint64_t steps, bool quiet) {
+int report_end(const RunSummary& summary, const RunEnd& end, bool quiet) {
   if (!quiet) fmt::print("{}", to_text(summary));
   if (const auto& failure = summary.simulator.failure()) {
     fmt::print(stderr, "sluice: invalid run: {}\n",
@@ -164,8 +189,10 @@ int report_end(const RunSummary& summary, uint64_t steps, bool quiet) {
   }
   warn_of_poor_run(summary.scene, summary.statistics, quiet);
   if (interrupted()) {
-    fmt::print(stderr, "sluice: interrupted after step {} of {}; what was asked for is written up to there\n",
-               summary.simulator.steps(), steps);
+    fmt::print(stderr,
+               "sluice: interrupted after step {}, time {:g}, before {}; what was asked for is written up to "
+               "there\n",
+               summary.simulator.steps(), summary.simulator.time(), end.text());
   }
   return 0;
 }
@@ -175,8 +202,8 @@ int report_end(const RunSummary& summary, uint64_t steps, bool quiet) {
 int run_command(const RunOptions& options) {
   const std::optional<Checkpoint> from = checkpoint_to_resume(options);
   const Scene scene = scene_to_run(options, from);
-  const uint64_t steps = step_count(options, scene);
-  limit_frames(options, scene, steps);
+  const RunEnd end = end_of(options, scene);
+  limit_frames(options, scene, std::max(end.latest(scene.dt), from ? from->state.clock.time() : 0));
   refuse_clashing_places(options, scene);
   require_memory(scene, options.machine.precision, available_memory(), memory_factor(options.machine));
   const Samples samples = sample(scene);
@@ -187,7 +214,7 @@ int run_command(const RunOptions& options) {
     warn_of_unused_opengl(options.machine, options.quiet);
   if (!options.frames.video && options.frames.speed != 1)
     warn(options.quiet, "--speed has no effect without --video");
-  for (const std::string& limit : beyond_limits(scene)) warn(options.quiet, limit);
+  for (const std::string& limit : beyond_limits(scene, samples)) warn(options.quiet, limit);
 
   // May refuse the scene: then nothing is written.
   Simulator simulator = make_simulator(options, scene, samples, machine.backend(), from);
@@ -197,18 +224,18 @@ int run_command(const RunOptions& options) {
   RunStatistics statistics(from ? from->counts : RunCounts());
   RunSummary summary{scene, samples, machine.backend(), simulator, statistics};
   {
-    Progress progress(steps, static_cast<double>(steps) * scene.dt, "steps", options.quiet,
-                      simulator.steps());
+    Progress progress(end.at_time() ? 0 : end.steps, end.latest(scene.dt), "steps", options.quiet,
+                      simulator.steps(), simulator.time());
     try {
       if (!from) add_start(simulator, outputs);
-      simulate(simulator, steps, outputs, checkpoints, progress, statistics, summary.seconds);
+      simulate(simulator, end, outputs, checkpoints, progress, statistics, summary.seconds);
     } catch (const Error&) {
       outputs.save();
       throw;
     }
   }
   outputs.finish(summary, checkpoints);
-  const int code = report_end(summary, steps, options.quiet);
+  const int code = report_end(summary, end, options.quiet);
   if (simulator.failure()) checkpoints.tell_of_last();
   outputs.tell_of_frames(options.quiet);
   return code;

@@ -44,7 +44,13 @@ Scene load_choice(const Choice& choice) {
   if (scene.viscosity_model == ViscosityModel::laplacian && choice.refinement < 1)
     dt = std::min(dt, largest_viscous_number * spacing * spacing / scene.viscosity);
   overrides.push_back(fmt::format("particles.spacing={:.17g}", spacing));
-  overrides.push_back(fmt::format("time.dt={:.17g}", dt * choice.dt_factor));
+  if (scene.adaptive) {
+    overrides.push_back(
+        fmt::format("time.dt_min={:.17g}", std::min(scene.adaptive->dt_min * choice.refinement, dt)));
+    overrides.push_back(fmt::format("time.dt_max={:.17g}", dt));
+  } else {
+    overrides.push_back(fmt::format("time.dt={:.17g}", dt * choice.dt_factor));
+  }
   if (choice.refinement != 1) scale_counts(scene.settings, choice.refinement, overrides);
   return load_scene(choice.scene, overrides);
 }

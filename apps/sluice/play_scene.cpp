@@ -70,7 +70,7 @@ ScenePlayer::ScenePlayer(const PlayOptions& options, const std::string& scene, V
   fmt::print(stderr, "backend: {}\n", machine_.choice());
   set_up(*show_);
   viewer_.begin(show_->scene.image_size, show_->scene.colour, help);
-  for (const std::string& limit : beyond_limits(show_->scene)) viewer_.say(limit);
+  for (const std::string& limit : beyond_limits(show_->scene, show_->samples)) viewer_.say(limit);
 }
 
 ScenePlayer::~ScenePlayer() = default;
@@ -113,7 +113,7 @@ bool ScenePlayer::change_and_say(Choice choice, const std::string& what) {
     return false;
   }
   std::string message = fmt::format("{}, dt {:g}", what, show_->simulator->dt());
-  for (const std::string& limit : beyond_limits(show_->scene)) message += "; " + limit;
+  for (const std::string& limit : beyond_limits(show_->scene, show_->samples)) message += "; " + limit;
   viewer_.say(message);
   return true;
 }
@@ -157,6 +157,8 @@ void ScenePlayer::go_to_scene(int steps) {
 }
 
 void ScenePlayer::change_dt(double factor) {
+  if (show_->scene.adaptive)
+    return viewer_.say(fmt::format("the scene chooses its steps, dt {:g} now", show_->simulator->dt()));
   const double total = choice_.dt_factor * factor;
   if (total < 1 / most_dt_factor || total > most_dt_factor)
     return viewer_.say(fmt::format("dt stays {:g}", show_->simulator->dt()));
@@ -171,7 +173,7 @@ void ScenePlayer::change_dt(double factor) {
   Scene changed = show_->scene;
   changed.dt = show_->simulator->dt();
   std::string message = fmt::format("dt {:g}", changed.dt);
-  for (const std::string& limit : beyond_limits(changed)) message += "; " + limit;
+  for (const std::string& limit : beyond_limits(changed, show_->samples)) message += "; " + limit;
   viewer_.say(message);
 }
 

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "core/text.hpp"
+#include "core/time_step.hpp"
 
 namespace sluice {
 
@@ -26,32 +27,16 @@ namespace {
 /// Beyond this alpha XSPH overshoots.
 constexpr double largest_alpha = 2;
 
-/// nu dt / h^2; an explicit viscosity bears about 0.5.
-double viscous_number(const Scene& scene) {
-  if (scene.viscosity_model != ViscosityModel::laplacian) return 0;
-  return scene.viscosity * scene.dt / (scene.spacing * scene.spacing);
-}
-
-/// Spacings that sound at rest density travels in a step.
-double sound_number(const Scene& scene) {
-  switch (scene.method) {
-    case PressureMethod::ssph:
-      return std::sqrt(scene.ssph->stiffness / scene.rest_density) * scene.dt / scene.spacing;
-    case PressureMethod::wcsph: return std::sqrt(scene.wcsph->kappa) * scene.dt / scene.spacing;
-    case PressureMethod::iisph: return 0;
-  }
-  return 0;
-}
-
-/// Up to where that went well in the shipped scenes: Tait's equation stiffens as it is compressed.
-double largest_sound_number(PressureMethod method) { return method == PressureMethod::wcsph ? 1.35 : 1.8; }
+/// The time step, or the smallest one where it adapts.
+double least_dt(const Scene& scene) { return scene.adaptive ? scene.adaptive->dt_min : scene.dt; }
 
 std::string stiffness_key(PressureMethod method) {
   return method == PressureMethod::wcsph ? "pressure.wcsph.kappa" : "pressure.ssph.stiffness";
 }
 
-/// The key that the time step of this run comes from.
+/// The key that the time step of this run comes from; where it adapts, the one that it can't go below.
 std::string dt_key(const Scene& scene) {
+  if (scene.adaptive) return "time.dt_min";
   const std::string method(name_of(scene.method));
   const auto& tables = scene.settings["pressure"];
   return tables[method].contains("dt") ? "pressure." + method + ".dt" : "time.dt";
@@ -75,8 +60,9 @@ std::string remedy(const Scene& scene, const RunStatistics& statistics, uint64_t
         "helps",
         smaller_dt);
   }
-  if (scene.method != PressureMethod::iisph && sound_number(scene) <= largest_sound_number(scene.method) &&
-      statistics.compression_mean() > 0.03) {
+  const StepBound sound = sound_bound(scene);
+  const bool stable = least_dt(scene) <= sound.largest * sound.duration;
+  if (scene.method != PressureMethod::iisph && stable && statistics.compression_mean() > 0.03) {
     return fmt::format("the fluid is compressed by {:.0f} % on average, and a larger {} often helps",
                        100 * statistics.compression_mean(), stiffness_key(scene.method));
   }
@@ -94,7 +80,7 @@ std::string solver_remedy(const Scene& scene) {
 
 }  // namespace
 
-std::vector<std::string> beyond_limits(const Scene& scene) {
+std::vector<std::string> beyond_limits(const Scene& scene, const Samples& samples) {
   std::vector<std::string> found;
   if (scene.viscosity_model == ViscosityModel::xsph && scene.viscosity > largest_alpha) {
     found.push_back(
@@ -102,17 +88,34 @@ std::vector<std::string> beyond_limits(const Scene& scene) {
                     "velocities but overshoots; use a smaller one",
                     scene.viscosity, largest_alpha));
   }
-  if (viscous_number(scene) > 0.5) {
+  const std::string dt = dt_key(scene);
+  const StepBounds bounds = step_bounds(scene, samples);
+  const auto durations = [&](const StepBound& bound) { return least_dt(scene) / bound.duration; };
+  const auto beyond = [&](const StepBound& bound) { return durations(bound) > bound.largest; };
+  if (beyond(bounds.viscous)) {
     found.push_back(
         fmt::format("viscosity.coefficient dt / spacing^2 is {:.2g}, above the limit of an explicit "
-                    "viscosity, about 0.5; use a smaller {} or viscosity.coefficient",
-                    viscous_number(scene), dt_key(scene)));
+                    "viscosity, about {:g}; use a smaller {} or viscosity.coefficient",
+                    durations(bounds.viscous), bounds.viscous.largest, dt));
   }
-  if (sound_number(scene) > largest_sound_number(scene.method)) {
-    found.push_back(fmt::format(
-        "sound travels {:.2g} spacings in a step, and above about {:g} a state equation "
-        "tends to blow up; use a smaller {} or {}",
-        sound_number(scene), largest_sound_number(scene.method), dt_key(scene), stiffness_key(scene.method)));
+  if (beyond(bounds.sound)) {
+    found.push_back(
+        fmt::format("sound travels {:.2g} spacings in a step, and above about {:g} a state equation "
+                    "tends to blow up; use a smaller {} or {}",
+                    durations(bounds.sound), bounds.sound.largest, dt, stiffness_key(scene.method)));
+  }
+  if (beyond(bounds.depth)) {
+    found.push_back(
+        fmt::format("dt sqrt(g depth) / spacing is {:.2g}, and above about {:g} the pressure of deep fluid "
+                    "pushes particles through the floor; use a smaller {}",
+                    durations(bounds.depth), bounds.depth.largest, dt));
+  }
+  const double impact = largest_impact_speed(scene, samples);
+  if (!samples.boundary.empty() && speed_of_sound(scene) < impact) {
+    found.push_back(
+        fmt::format("the speed of sound is {:.3g}, and fluid may hit a wall at {:.3g}; below that it goes "
+                    "through walls; use a larger {}",
+                    speed_of_sound(scene), impact, stiffness_key(scene.method)));
   }
   if (scene.boundary_model != BoundaryModel::mirror) return found;
   for (const BoundaryShape& shape : scene.boundary) {

@@ -42,6 +42,12 @@ Vec2 BruteForce::dW(Vec2 x_ij) const {
   return alpha * slope / r * x_ij;
 }
 
+/// For particles without a direction between them: the steepest gradient, as if one were ahead of the other.
+Vec2 BruteForce::parting(bool ahead) const {
+  const Vec2 at = 2.0 / 3 * H_ * Vec2(0.8, 0.6);
+  return ahead ? dW(at) : dW(-at);
+}
+
 void BruteForce::compute_boundary_mass() {
   boundary_mass.assign(boundary_.size(), m_);
   if (mirror_) return;
@@ -60,7 +66,9 @@ void BruteForce::find_neighbours() {
       for (uint32_t j = 0; j < others.size(); ++j) {
         const Vec2 x_ij = x[i] - others[j];
         const double r = std::hypot(x_ij.x, x_ij.y);
-        if (r < 2 * H_ && !(itself && i == j)) all[i].push_back({j, x_ij, dW(x_ij), W(r)});
+        if (r >= 2 * H_ || (itself && i == j)) continue;
+        const bool coincide = itself && r < 1e-4 * scene_.spacing;
+        all[i].push_back({j, x_ij, coincide ? parting(i > j) : dW(x_ij), W(r)});
       }
     }
     return all;

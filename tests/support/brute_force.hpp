@@ -32,6 +32,7 @@ struct BruteForce {
   };
   double W(double r) const;
   Vec2 dW(Vec2 x_ij) const;
+  Vec2 parting(bool ahead) const;
   void compute_boundary_mass();
   void find_neighbours();
   void compute_density();
