@@ -87,6 +87,11 @@ TEST_F(CliResume, OptionsThatDoNotGoTogether) {
   expect_refused({}, {"SCENE", "--resume"});
   expect_refused({"", "--resume", "a.ckp"}, {"found no such file"});
   expect_refused({"a.ckp"}, {"a.ckp: found a checkpoint", "--resume a.ckp"});
+  for (const char* command : {"info", "agree", "play"}) {
+    const ProgramResult result = run_program({command, "a.ckp"}, folder.path);
+    EXPECT_EQ(result.code, 2) << command;
+    EXPECT_TRUE(has(result.err, "a.ckp: found a checkpoint, expected a scene")) << result.err;
+  }
   EXPECT_EQ(names_in(folder.path), Words{"a.ckp"});
 }
 

@@ -200,7 +200,7 @@ int report_end(const RunSummary& summary, const RunEnd& end, bool quiet) {
 }  // namespace
 
 int run_command(const RunOptions& options) {
-  const std::optional<Checkpoint> from = checkpoint_to_resume(options);
+  std::optional<Checkpoint> from = checkpoint_to_resume(options);
   const Scene scene = scene_to_run(options, from);
   const RunEnd end = end_of(options, scene);
   limit_frames(options, scene, std::max(end.latest(scene.dt), from ? from->state.clock.time() : 0));
@@ -218,7 +218,8 @@ int run_command(const RunOptions& options) {
 
   // May refuse the scene: then nothing is written.
   Simulator simulator = make_simulator(options, scene, samples, machine.backend(), from);
-  note_interrupts();  // from here on there is something to finish
+  if (from) from->state = {.clock = from->state.clock};  // the rest is in the backend now
+  note_interrupts();                                     // from here on there is something to finish
   Outputs outputs(options, scene, samples, machine, from);
   Checkpoints checkpoints(options, scene, machine.backend(), simulator.time());
   RunStatistics statistics(from ? from->counts : RunCounts());
