@@ -218,8 +218,8 @@ int run_command(const RunOptions& options) {
 
   // May refuse the scene: then nothing is written.
   Simulator simulator = make_simulator(options, scene, samples, machine.backend(), from);
-  if (from) from->state = {.clock = from->state.clock};  // the rest is in the backend now
-  note_interrupts();                                     // from here on there is something to finish
+  if (from) from->state = {from->state.clock, {}, {}, {}, {}, {}};  // the rest is in the backend now
+  note_interrupts();  // from here on there is something to finish
   Outputs outputs(options, scene, samples, machine, from);
   Checkpoints checkpoints(options, scene, machine.backend(), simulator.time());
   RunStatistics statistics(from ? from->counts : RunCounts());
