@@ -12,6 +12,7 @@
 #include "tests/support/recorded.hpp"
 #include "tests/support/run_program.hpp"
 #include "tests/support/simulation.hpp"
+#include "tests/support/synced.hpp"
 
 namespace sluice::test {
 namespace {
@@ -88,6 +89,15 @@ TEST(Checkpoint, OneTakesThePlaceOfTheLast) {
     expect_equal(read_checkpoint(folder / "a.ckp").state, saved.state);
   }
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path), {}), 1);
+}
+
+TEST(Checkpoint, IsOnTheDiskBeforeItTakesThePlace) {
+  const TemporaryFolder folder;
+  const SyncListener listener(folder / "a.ckp");
+  const Saved saved(folder / "a.ckp", Precision::single_);
+  ASSERT_EQ(listener.heard.size(), 2u) << "the file, then the folder";
+  EXPECT_FALSE(listener.heard[0].named);
+  EXPECT_TRUE(listener.heard[1].named);
 }
 
 TEST(Checkpoint, AWriterThatWritesNothingLeavesWhatWasThere) {
@@ -241,8 +251,8 @@ TEST_F(DamagedCheckpoint, ASceneInsideThatCannotBeRunIsNamed) {
   const std::string unknown = with_scene("spacing", "spacung");
   EXPECT_TRUE(unknown.starts_with("found a scene in it that can't be run here: ")) << unknown;
   EXPECT_NE(unknown.find("particles.spacung: found an unknown key"), std::string::npos) << unknown;
-  const std::string huge = with_scene("spacing = 8.0", "spacing = 0.001");
-  EXPECT_NE(huge.find("particles.spacing: found 0.001"), std::string::npos) << huge;
+  const std::string huge = with_scene("spacing = 8.0", "spacing = 0.01");
+  EXPECT_NE(huge.find("particles.spacing: found 0.01"), std::string::npos) << huge;
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ TEST(CheckpointClock, IsDueAtTheFirstStepThatReachesAMultiple) {
   EXPECT_EQ(due(0.1, 0.16, 0.04, 5), (std::vector{1, 4}));
   EXPECT_EQ(due(0.01, 0, 0.04, 3), (std::vector{1, 2, 3})) << "several at once are one";
   EXPECT_EQ(due(0.45, 0, 0.15, 7), (std::vector{3, 6})) << "3 times 0.15 is less than 0.45 by a rounding";
-  EXPECT_EQ(due(1e-300, 0, 0.04, 3), (std::vector{1, 2, 3}));
+  EXPECT_EQ(due(5e-324, 0, 0.04, 3), (std::vector{1, 2, 3}));
   EXPECT_EQ(due(1e300, 0, 0.04, 3), std::vector<int>{});
 }
 

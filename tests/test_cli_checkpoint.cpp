@@ -189,6 +189,22 @@ TEST_F(CliCheckpoint, IsWrittenEveryNowAndThen) {
   EXPECT_TRUE(bytes("a.ckp") == bytes("at_7.ckp")) << "the end is one in any case";
 }
 
+TEST_F(CliCheckpoint, SweepsPerSecondAreThoseOfTheStepsMadeNow) {
+  run({"breaking_dam", "--steps", "6", "--checkpoint", "a.ckp"});
+  run({"--resume", "a.ckp", "--steps", "9", "--checkpoint", "b.ckp", "--summary", "s.json", "--backend",
+       "cpu"});
+  const auto summary = read_json(folder / "s.json");
+  double seconds = 0;
+  for (const char* stage :
+       {"pressure_acceleration", "pressure_operator", "residual", "stop_test", "pressure_update"})
+    seconds += summary["seconds"]["stages"][stage].get<double>();
+  const uint64_t before = read_checkpoint(folder / "a.ckp").counts.iterations,
+                 after = read_checkpoint(folder / "b.ckp").counts.iterations;
+  ASSERT_GT(before, 0u);
+  const auto sweeps = 660 * static_cast<double>(after - before);
+  EXPECT_NEAR(summary["particle_sweeps_per_second"].get<double>() * seconds, sweeps, 1e-6 * sweeps);
+}
+
 TEST_F(CliCheckpoint, TheTableSaysWhichStepsWereMadeNow) {
   run({"breaking_dam", "--steps", "6", "--checkpoint", "a.ckp"});
   const ProgramResult result = run_program({"run", "--resume", "a.ckp", "--steps", "10"}, folder.path);

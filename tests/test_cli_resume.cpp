@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "core/scene_file.hpp"
+#include "media/checkpoint.hpp"
 #include "tests/support/checkpointed.hpp"
 
 namespace sluice::test {
@@ -75,6 +76,16 @@ TEST_F(CliResume, ThePrecisionMustBeGiven) {
   expect_refused({"--resume", "a.ckp", "--precision", "double"},
                  {"a.ckp: found a checkpoint in float", "give --precision float"});
   expect_refused({"--resume", "d.ckp", "--precision", "double", "--backend", "gpu"}, {"--backend gpu"});
+}
+
+TEST_F(CliResume, AsManyParticlesAsTheSceneHas) {
+  Checkpoint found = read_checkpoint(folder / "a.ckp");
+  found.state.x.pop_back();
+  found.state.v.pop_back();
+  found.state.density.pop_back();
+  found.state.pressure.pop_back();
+  CheckpointWriter(folder / "a.ckp", found.scene, found.precision, "a test").write(found.state, found.counts);
+  expect_refused({"--resume", "a.ckp"}, {"a.ckp: found 659 particles, expected the 660 of its scene"});
 }
 
 TEST_F(CliResume, OptionsThatDoNotGoTogether) {

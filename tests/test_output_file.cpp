@@ -2,7 +2,6 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
-#include <sys/syscall.h>
 #include <unistd.h>
 
 #include <filesystem>
@@ -10,32 +9,10 @@
 #include <sstream>
 #include <string>
 #include <thread>
-#include <vector>
 
 #include "core/error.hpp"
 #include "core/output_file.hpp"
-
-namespace {
-
-/// What fsync was called for, and whether the target had its new name by then.
-struct Synced {
-  std::filesystem::path path;
-  bool named;
-};
-std::vector<Synced>* synced = nullptr;  // while a test listens
-std::filesystem::path awaited;
-
-}  // namespace
-
-/// Stands before the C library's, for all of this program.
-extern "C" int fsync(int descriptor) {
-  if (synced != nullptr) {
-    std::error_code error;
-    synced->push_back({std::filesystem::read_symlink("/proc/self/fd/" + std::to_string(descriptor), error),
-                       std::filesystem::exists(awaited)});
-  }
-  return static_cast<int>(syscall(SYS_fsync, descriptor));
-}
+#include "tests/support/synced.hpp"
 
 namespace {
 
@@ -196,14 +173,12 @@ TEST_F(OutputFileTest, AnOpenDescriptorGoesOnWhereItIs) {
 }
 
 TEST_F(OutputFileTest, IsOnTheDiskBeforeItHasItsNameAndItsNameIsToo) {
-  std::vector<Synced> found;
-  synced = &found;
-  awaited = folder / "a";
+  const sluice::test::SyncListener listener(folder / "a");
   OutputFile file(folder / "a");
   const fs::path temporary = file.temporary();
   file.write("bytes");
   file.commit_to_disk();
-  synced = nullptr;
+  const auto& found = listener.heard;
   ASSERT_EQ(found.size(), 2u);
   EXPECT_EQ(found[0].path, temporary);
   EXPECT_FALSE(found[0].named);
