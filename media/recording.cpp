@@ -2,7 +2,6 @@
 #include "media/recording.hpp"
 
 #include <fmt/format.h>
-#include <xxhash.h>
 #include <zstd.h>
 
 #include <cmath>
@@ -18,87 +17,21 @@ namespace sluice {
 namespace {
 
 using namespace recording;
-constexpr size_t preamble_size = magic.size() + 2 * sizeof(uint32_t);
 constexpr size_t tail_size = sizeof(Tail);
 
-/// A file and its name, for messages.
-class Source {
- public:
-  explicit Source(std::filesystem::path path) : path_(std::move(path)), file_(path_, std::ios::binary) {
-    std::error_code error;
-    size_ = std::filesystem::file_size(path_, error);
-    if (std::filesystem::is_directory(path_, error)) refuse("found a folder, expected a recording");
-    if (!std::filesystem::exists(path_, error)) refuse("found no such file, expected a recording");
-    if (!file_ || size_ == no_size) refuse("found a file that can't be read, expected a recording");
-  }
-
-  std::string read(uint64_t offset, uint64_t bytes) {
-    if (bytes > size_ || offset > size_ - bytes) refuse_altered();
-    std::string text(bytes, '\0');
-    file_.clear();
-    file_.seekg(static_cast<std::streamoff>(offset));
-    file_.read(text.data(), static_cast<std::streamsize>(bytes));
-    if (static_cast<uint64_t>(file_.gcount()) != bytes) refuse_altered();
-    return text;
-  }
-
-  uint64_t size() const { return size_; }
-
-  [[noreturn]] void refuse(const std::string& what) const {
-    throw InputError(fmt::format("{}: {}", path_.string(), what));
-  }
-  [[noreturn]] void refuse_altered() const {
-    refuse(
-        "found a recording that was cut off or altered, expected one as `sluice run --record` wrote it; "
-        "copy it again or record the run once more");
-  }
-
- private:
-  std::filesystem::path path_;
-  std::ifstream file_;
-  static constexpr auto no_size = static_cast<uint64_t>(-1);  // as the library has it
-  uint64_t size_ = 0;
-};
-
-/// The first bytes, which say what the file is; returns the size of the header that follows.
-uint32_t read_preamble(Source& source) {
-  const std::string start = source.read(0, std::min<uint64_t>(source.size(), preamble_size));
-  if (!start.starts_with(magic)) {
-    if (start.size() >= magic.size() || !magic.starts_with(start))
-      source.refuse("found another kind of file, expected a recording made by `sluice run --record`");
-    source.refuse_altered();
-  }
-  if (start.size() < preamble_size) source.refuse_altered();
-  const auto found = read_from<uint32_t>(start, magic.size());
-  if (found != format) {
-    source.refuse(fmt::format(
-        "found a recording of format {}, expected format {}; use the version of Sluice that made it", found,
-        format));
-  }
-  return read_from<uint32_t>(start, magic.size() + sizeof(uint32_t));
-}
-
 /// The tail, once it is sure that every byte before it is as it was written.
-Tail checked_tail(Source& source) {
-  if (source.size() < preamble_size + tail_size) source.refuse_altered();
+Tail checked_tail(CheckedFile& source) {
+  if (source.size() < source.header_offset() + tail_size) source.refuse_altered();
   const uint64_t end = source.size() - tail_size;
   const auto tail = read_from<Tail>(source.read(end, tail_size), 0);
   const bool index_fits = tail.frames > 0 && tail.frames <= end / sizeof(IndexEntry) &&
                           tail.index_offset == end - tail.frames * sizeof(IndexEntry);
   if (tail.end != Tail().end || !index_fits) source.refuse_altered();
-  const std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> hash(XXH3_createState(), XXH3_freeState);
-  if (!hash || XXH3_64bits_reset(hash.get()) == XXH_ERROR)
-    throw EnvironmentError("no memory to check a recording");
-  const uint64_t covered = end + 2 * sizeof(uint64_t);
-  for (uint64_t at = 0; at < covered; at += chunk) {
-    const std::string part = source.read(at, std::min<uint64_t>(chunk, covered - at));
-    XXH3_64bits_update(hash.get(), part.data(), part.size());
-  }
-  if (XXH3_64bits_digest(hash.get()) != tail.checksum) source.refuse_altered();
+  if (source.checksum(end + 2 * sizeof(uint64_t)) != tail.checksum) source.refuse_altered();
   return tail;
 }
 
-std::vector<IndexEntry> read_index(Source& source, const Tail& tail) {
+std::vector<IndexEntry> read_index(CheckedFile& source, const Tail& tail) {
   std::vector<IndexEntry> index(tail.frames);
   const std::string bytes = source.read(tail.index_offset, tail.frames * sizeof(IndexEntry));
   std::memcpy(index.data(), bytes.data(), bytes.size());
@@ -152,8 +85,8 @@ void read_particles(std::string_view bytes, Snapshot& state) {
 }  // namespace
 
 struct Recording::State {
-  explicit State(const std::filesystem::path& path) : source(path) {}
-  mutable Source source;
+  explicit State(const std::filesystem::path& path) : source(path, kind) {}
+  mutable CheckedFile source;
   Scene scene;
   Samples samples;
   Precision precision = Precision::single_;
@@ -163,9 +96,9 @@ struct Recording::State {
 Recording::Recording(const std::filesystem::path& path, std::span<const std::string> overrides)
     : state_(std::make_unique<State>(path)) {
   State& state = *state_;
-  const uint32_t header_size = read_preamble(state.source);
+  const uint32_t header_size = state.source.read_preamble();
   state.index = read_index(state.source, checked_tail(state.source));
-  const std::string header = state.source.read(preamble_size, header_size);
+  const std::string header = state.source.read(state.source.header_offset(), header_size);
   try {
     const auto json = nlohmann::json::parse(header);
     auto changes = json.at("overrides").get<std::vector<std::string>>();

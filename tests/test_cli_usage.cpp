@@ -58,13 +58,6 @@ TEST(CliUsage, WhatIsNotBuiltYetSaysSo) {
     const std::string message = refusal(words);
     EXPECT_TRUE(has(message, "not available yet") && has(message, words[0])) << message;
   }
-  for (const Words& option :
-       {Words{"--checkpoint", "a.ckp"}, {"--checkpoint-every", "5"}, {"--resume", "a.ckp"}}) {
-    Words words{"run", "breaking_dam", "--steps", "1", "--state", "s.csv", "--frames", "f"};
-    words.insert(words.end(), option.begin(), option.end());
-    const std::string message = refusal(words);
-    EXPECT_TRUE(has(message, "not available yet") && has(message, option[0])) << message;
-  }
 }
 
 TEST(CliUsage, ResultsAreOnStandardOutputMessagesOnStandardError) {
