@@ -11,6 +11,7 @@
 #include "core/memory.hpp"
 #include "core/sampling.hpp"
 #include "core/scene_file.hpp"
+#include "core/shapes.hpp"
 
 namespace sluice::test {
 namespace {
@@ -86,6 +87,8 @@ std::string not_finite(const Scene& scene) {
   finite("jitter", scene.jitter);
   for (const FluidShape& shape : scene.fluid) {
     std::visit([&](const auto& geometry) { finite(shape.key, geometry); }, shape.geometry);
+    std::visit([&](const auto& geometry) { finite("a centre", centre_of(geometry, scene.spacing)); },
+               shape.geometry);
     finite(shape.key, std::vector{shape.velocity, shape.velocity_gradient[0], shape.velocity_gradient[1]});
   }
   for (const BoundaryShape& shape : scene.boundary)
