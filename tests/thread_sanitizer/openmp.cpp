@@ -1,14 +1,16 @@
 // OpenMP for the thread sanitizer: the few functions of GCC's runtime that the CPU backend calls, on threads
 // and a barrier that the sanitizer sees. The runtime itself is not instrumented: with it every fork, join and
 // barrier would look like a race. Linked into the tests when they are built with -fsanitize=thread, nowhere
-// else. A team's threads are started anew for every region, which is slow and as strict as can be.
+// else.
 #include <omp.h>
 
 #include <barrier>
+#include <condition_variable>
+#include <deque>
+#include <functional>
 #include <mutex>
 #include <stdexcept>
 #include <thread>
-#include <vector>
 
 namespace {
 
@@ -24,6 +26,47 @@ struct Place {
   unsigned number = 0;
 };
 thread_local Place place;
+
+/// A thread that runs what it is given, one thing after the other.
+class Worker {
+ public:
+  Worker() : thread_([this] { run(); }) {}
+  ~Worker() { give({}); }
+
+  /// Nothing ends the thread.
+  void give(std::function<void()> work) {
+    const std::lock_guard lock(mutex_);
+    work_ = std::move(work);
+    busy_ = true;
+    changed_.notify_all();
+  }
+
+  void wait_until_done() {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [&] { return !busy_; });
+  }
+
+ private:
+  void run() {
+    std::unique_lock lock(mutex_);
+    for (;;) {
+      changed_.wait(lock, [&] { return busy_; });
+      if (!work_) return;
+      lock.unlock();
+      work_();
+      lock.lock();
+      busy_ = false;
+      changed_.notify_all();
+    }
+  }
+
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::function<void()> work_;
+  bool busy_ = false;
+  std::jthread thread_;  // last, so that everything it uses exists
+};
+thread_local std::deque<Worker> workers;  // of the thread that opens the regions
 
 std::mutex& atomic_mutex() {
   static std::mutex mutex;
@@ -44,9 +87,11 @@ void GOMP_parallel(void (*region)(void*), void* data, unsigned threads, unsigned
     region(data);
     place = {};
   };
-  std::vector<std::jthread> others;
-  for (unsigned number = 1; number < threads; ++number) others.emplace_back(run, number);
+  while (workers.size() + 1 < threads) workers.emplace_back();
+  for (unsigned number = 1; number < threads; ++number)
+    workers[number - 1].give([&run, number] { run(number); });
   run(0);
+  for (unsigned number = 1; number < threads; ++number) workers[number - 1].wait_until_done();
 }
 
 void GOMP_barrier() {
