@@ -3,7 +3,7 @@
 //
 //   cmake --preset fuzz && cmake --build --preset fuzz
 //   mkdir -p build/fuzz/recordings
-//   build/release/sluice run inclined_plane --steps 2 --quiet --record build/fuzz/recordings/a.rec
+//   build/release/sluice run inclined_plane --steps 2 --fps 1000 --quiet --record build/fuzz/recordings/a.rec
 //   build/fuzz/recording_reader -max_len=100000 -max_total_time=600 build/fuzz/recordings
 //
 // The target gives every input the right checksum and place of the index, which no fuzzer finds. New inputs
