@@ -111,8 +111,8 @@ std::string to_text(const RunSummary& summary) {
       statistics.compression_mean(), statistics.compression_max(), statistics.cfl_max(), statistics.lost());
   text += fmt::format("{:<24}{:>10}{:>8}\n", "stage", "seconds", "share");
   double staged = 0;
-  const auto row = [&](std::string_view name, double spent) {
-    text += fmt::format("{:<24}{:>10.3f}{:>7.1f}%\n", name, spent, seconds > 0 ? 100 * spent / seconds : 0);
+  const auto row = [&text, total = summary.seconds](std::string_view name, double spent) {
+    text += fmt::format("{:<24}{:>10.3f}{:>7.1f}%\n", name, spent, total > 0 ? 100 * spent / total : 0);
   };
   for (const Stage stage : distinct_stages(simulator.plan())) {
     staged += backend.seconds(stage);

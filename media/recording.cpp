@@ -10,6 +10,7 @@
 #include "core/error.hpp"
 #include "core/memory.hpp"
 #include "core/scene_file.hpp"
+#include "core/text.hpp"
 #include "core/verdict.hpp"
 #include "media/recording_format.hpp"
 
@@ -99,6 +100,7 @@ Recording::Recording(const std::filesystem::path& path, std::span<const std::str
   const uint32_t header_size = state.source.read_preamble();
   state.index = read_index(state.source, checked_tail(state.source));
   const std::string header = state.source.read(state.source.header_offset(), header_size);
+  std::string precision;
   try {
     const auto json = nlohmann::json::parse(header);
     auto changes = json.at("overrides").get<std::vector<std::string>>();
@@ -108,13 +110,14 @@ Recording::Recording(const std::filesystem::path& path, std::span<const std::str
                     std::filesystem::path(json.at("file").get<std::string>()).filename().string(), changes);
     require_memory(state.scene, Precision::single_, available_memory());
     state.samples = sample(state.scene);
-    state.precision =
-        json.at("precision").get<std::string>() == "double" ? Precision::double_ : Precision::single_;
+    precision = json.at("precision").get<std::string>();
   } catch (const nlohmann::json::exception&) {
     state.source.refuse_altered();
   } catch (const InputError& error) {
     state.source.refuse(fmt::format("found a scene in it that this version can't read: {}", error.what()));
   }
+  state.precision = precision == name_of(Precision::double_) ? Precision::double_ : Precision::single_;
+  if (precision != name_of(state.precision)) state.source.refuse_altered();
 }
 
 Recording::~Recording() = default;
@@ -149,7 +152,8 @@ Moment Recording::moment(size_t frame) const {
   } else {
     read_particles<float>(particles, moment.state);
   }
-  if (!std::isfinite(facts.time) || !std::isfinite(facts.dt) || !is_finite(moment.state))
+  if (!std::isfinite(facts.time) || !std::isfinite(facts.dt) || !std::isfinite(facts.seconds_per_step) ||
+      !is_finite(moment.state))
     state.source.refuse_altered();
   return moment;
 }
