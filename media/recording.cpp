@@ -73,10 +73,10 @@ void read_by_bytes(std::string_view& bytes, size_t n, Use use) {
 }
 
 template <class Real>
-void read_particles(std::string_view bytes, Snapshot& state) {
+void read_particles(std::string_view bytes, Snapshot& state, Vec2 corner) {
   const size_t n = state.x.size();
-  read_by_bytes<Real>(bytes, n, [&](size_t i, double value) { state.x[i].x = value; });
-  read_by_bytes<Real>(bytes, n, [&](size_t i, double value) { state.x[i].y = value; });
+  read_by_bytes<Real>(bytes, n, [&](size_t i, double value) { state.x[i].x = corner.x + value; });
+  read_by_bytes<Real>(bytes, n, [&](size_t i, double value) { state.x[i].y = corner.y + value; });
   read_by_bytes<Real>(bytes, n, [&](size_t i, double value) { state.v[i].x = value; });
   read_by_bytes<Real>(bytes, n, [&](size_t i, double value) { state.v[i].y = value; });
   read_by_bytes<Real>(bytes, n, [&](size_t i, double value) { state.density[i] = value; });
@@ -148,9 +148,9 @@ Moment Recording::moment(size_t frame) const {
   moment.state.pressure.resize(n);
   const std::string_view particles = std::string_view(plain).substr(sizeof(FrameFacts));
   if (real == sizeof(double)) {
-    read_particles<double>(particles, moment.state);
+    read_particles<double>(particles, moment.state, state.scene.domain_min);
   } else {
-    read_particles<float>(particles, moment.state);
+    read_particles<float>(particles, moment.state, state.scene.domain_min);
   }
   if (!std::isfinite(facts.time) || !std::isfinite(facts.dt) || !std::isfinite(facts.seconds_per_step) ||
       !is_finite(moment.state))

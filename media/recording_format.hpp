@@ -9,7 +9,7 @@
 namespace sluice::recording {
 
 inline constexpr std::string_view magic = "sluice recording";
-inline constexpr FileKind kind{magic, 1, "recording", "`sluice run --record`",
+inline constexpr FileKind kind{magic, 2, "recording", "`sluice run --record`",
                                "copy it again or record the run once more"};
 
 /// Where a frame is and what it shows.
@@ -40,6 +40,7 @@ struct FrameFacts {
   double wall_force_x = 0, wall_force_y = 0;
 };
 
-inline constexpr size_t values_per_particle = 6;  // x, y, vx, vy, density, pressure: an array of each
+/// An array of each: x and y from the lower left corner of the domain, vx, vy, density, pressure.
+inline constexpr size_t values_per_particle = 6;
 
 }  // namespace sluice::recording

@@ -56,10 +56,10 @@ void append_by_bytes(std::string& out, size_t n, Value value) {
 }
 
 template <class Real>
-void append_particles(std::string& out, const Snapshot& state) {
+void append_particles(std::string& out, const Snapshot& state, Vec2 corner) {
   const size_t n = state.x.size();
-  append_by_bytes<Real>(out, n, [&](size_t i) { return state.x[i].x; });
-  append_by_bytes<Real>(out, n, [&](size_t i) { return state.x[i].y; });
+  append_by_bytes<Real>(out, n, [&](size_t i) { return state.x[i].x - corner.x; });
+  append_by_bytes<Real>(out, n, [&](size_t i) { return state.x[i].y - corner.y; });
   append_by_bytes<Real>(out, n, [&](size_t i) { return state.v[i].x; });
   append_by_bytes<Real>(out, n, [&](size_t i) { return state.v[i].y; });
   append_by_bytes<Real>(out, n, [&](size_t i) { return state.density[i]; });
@@ -69,10 +69,12 @@ void append_particles(std::string& out, const Snapshot& state) {
 }  // namespace
 
 struct RecordingWriter::State {
-  State(const std::filesystem::path& path, Precision kept) : file(path), precision(kept) {}
+  State(const std::filesystem::path& path, Precision kept, Vec2 from)
+      : file(path), precision(kept), corner(from) {}
 
   OutputFile file;
   Precision precision;
+  Vec2 corner;
   uint64_t written = 0;
   Checksum checksum;
   std::unique_ptr<ZSTD_CCtx, decltype(&ZSTD_freeCCtx)> packer{ZSTD_createCCtx(), &ZSTD_freeCCtx};
@@ -82,7 +84,7 @@ struct RecordingWriter::State {
 
 RecordingWriter::RecordingWriter(const std::filesystem::path& path, const Scene& scene, Precision precision,
                                  const std::string& device)
-    : state_(std::make_unique<State>(path, precision)) {
+    : state_(std::make_unique<State>(path, precision, scene.domain_min)) {
   if (!state_->packer)
     throw EnvironmentError(fmt::format("{}: no memory to write a recording", path.string()));
   ZSTD_CCtx_setParameter(state_->packer.get(), ZSTD_c_compressionLevel, compression_level);
@@ -114,9 +116,9 @@ void RecordingWriter::add(const StepReport& report, double seconds_per_step, con
   }
   state.plain = bytes_of(facts_of(report, seconds_per_step));
   if (state.precision == Precision::double_) {
-    append_particles<double>(state.plain, particles);
+    append_particles<double>(state.plain, particles, state.corner);
   } else {
-    append_particles<float>(state.plain, particles);
+    append_particles<float>(state.plain, particles, state.corner);
   }
   state.packed.resize(ZSTD_compressBound(state.plain.size()));
   const size_t size = ZSTD_compress2(state.packer.get(), state.packed.data(), state.packed.size(),

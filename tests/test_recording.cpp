@@ -189,9 +189,9 @@ TEST_F(DamagedRecording, IsRefusedWhereverAByteWasAltered) {
 
 TEST_F(DamagedRecording, OfALaterFormatNamesIt) {
   std::string later = bytes;
-  later[16] = 2;  // behind the 16 bytes that say what the file is
+  later[16] = 3;  // behind the 16 bytes that say what the file is
   EXPECT_EQ(refusal(later),
-            "found a recording of format 2, expected format 1; use the version of Sluice that made it");
+            "found a recording of format 3, expected format 2; use the version of Sluice that made it");
 }
 
 TEST_F(DamagedRecording, AnotherKindOfFileIsNamedSo) {

@@ -41,9 +41,6 @@ struct RunEnd {
   bool at_time() const { return std::isfinite(time); }
   /// The time it is reached at, or if steps adapt the latest.
   double latest(double dt) const { return at_time() ? time : static_cast<double>(steps) * dt; }
-  std::string text() const {
-    return at_time() ? fmt::format("time {:g}", time) : fmt::format("step {}", steps);
-  }
 };
 
 RunEnd end_of(const RunOptions& options, const Scene& scene) {
@@ -189,10 +186,10 @@ int report_end(const RunSummary& summary, const RunEnd& end, bool quiet) {
   }
   warn_of_poor_run(summary.scene, summary.statistics, quiet);
   if (interrupted()) {
-    fmt::print(stderr,
-               "sluice: interrupted after step {}, time {:g}, before {}; what was asked for is written up to "
-               "there\n",
-               summary.simulator.steps(), summary.simulator.time(), end.text());
+    const std::string where = end.at_time()
+                                  ? fmt::format("at time {:g} of {:g}", summary.simulator.time(), end.time)
+                                  : fmt::format("after step {} of {}", summary.simulator.steps(), end.steps);
+    fmt::print(stderr, "sluice: interrupted {}; what was asked for is written up to there\n", where);
   }
   return 0;
 }
