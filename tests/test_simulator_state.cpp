@@ -88,6 +88,10 @@ TEST_P(StateToGoOnFrom, LeadsToTheSameSteps) {
   Simulator resumed(second.scene, second.samples, *second.backend, whole.state());
   EXPECT_EQ(resumed.time(), whole.time());
   expect_equal(resumed.snapshot(), whole.snapshot());
+  // A step that can't be made reports what the last one did.
+  EXPECT_GT(whole.state().diagnostics.kinetic_energy, 0);
+  EXPECT_EQ(resumed.state().diagnostics.kinetic_energy, whole.state().diagnostics.kinetic_energy);
+  EXPECT_EQ(resumed.state().diagnostics.wall_force, whole.state().diagnostics.wall_force);
   expect_same_steps(whole, resumed, 6);
 }
 
