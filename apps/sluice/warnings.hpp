@@ -24,7 +24,8 @@ std::vector<std::string> beyond_limits(const Scene& scene, const Samples& sample
 /// Why a run became invalid, where, and what often helps.
 std::string failure_text(const Scene& scene, const RunStatistics& statistics, const Failure& failure);
 
-/// Steps that did not converge, particles that moved too far or were lost, a fluid that gives way.
-void warn_of_poor_run(const Scene& scene, const RunStatistics& statistics, bool quiet);
+/// Steps that did not converge, particles that moved too far or were lost, and where, a fluid that gives way.
+void warn_of_poor_run(const Scene& scene, const RunStatistics& statistics, const std::vector<Loss>& losses,
+                      bool quiet);
 
 }  // namespace sluice
