@@ -1,0 +1,65 @@
+// Impacts: a block on the floor, a jet on thin walls, a fluid that is slower than its own sound.
+#include "studies/hard_case.hpp"
+
+namespace sluice {
+namespace {
+
+/// A block that hits the floor of a closed box with `moves` spacings per step.
+void add_drop(HardCases& cases, const Method& method, double dt, double moves) {
+  SceneParts parts;
+  parts.title = fmt::format("A block hits the floor at {:g} spacings per step", moves);
+  parts.size = {65 * h, 80 * h};
+  parts.fluid = block({22 * h, 8 * h}, 20, 20, {0, -moves * h / dt});
+  parts.boundary = container(parts, 3, true);
+  parts.method = method;
+  parts.time = fixed(dt, 5);
+  cases.add(fmt::format("drop_{:g}_percent", 100 * moves), parts).quick = method.suffix == "iisph";
+}
+
+/// A jet that hits a wall of so many layers with 0.3 spacings per step.
+HardCase& add_jet(HardCases& cases, const Method& method, double dt, const char* model, uint32_t layers) {
+  SceneParts parts;
+  parts.title = fmt::format("A jet on a wall, {}, layers {}", model, layers);
+  parts.size = {80 * h, 60 * h};
+  parts.fluid = block({10 * h, 25 * h}, 60, 6, {0.3 * h / dt, 0});
+  parts.boundary = container(parts, layers, true);
+  parts.boundary_model = model;
+  parts.method = method;
+  parts.time = fixed(dt, 10);
+  HardCase& hard = cases.add(fmt::format("jet_{}_{}", model, layers), parts);
+  hard.quick = method.suffix == "iisph" && layers != 2;
+  hard.expected.warned = layers < 3 && parts.boundary_model == "mirror";
+  return hard;
+}
+
+/// sqrt(k) is the speed of sound; the water lands with up to sqrt(2 g 240) = 69.
+void add_soft(HardCases& cases, double stiffness) {
+  SceneParts parts = dam("A fluid too soft for its fall", ssph(stiffness));
+  parts.time = fixed(0.02, 20);
+  HardCase& hard = cases.add(fmt::format("soft_{:g}", stiffness), parts);
+  hard.quick = true;
+  hard.expected.warned = true;
+  hard.expected.outcome = Outcome::stopped;
+  hard.expected.reason = "are lost, more than 10 %";
+}
+
+}  // namespace
+
+void add_impacts(HardCases& cases) {
+  for (const double moves : {0.2, 0.5, 1.0, 2.0}) {
+    add_drop(cases, iisph(), 0.04, moves);
+    add_drop(cases, iisph_of_the_thesis(), 0.04, moves);
+    add_drop(cases, ssph(7e5), 0.008, moves);
+  }
+  for (const char* model : {"mirror", "akinci"}) {
+    for (const uint32_t layers : {1u, 2u, 3u}) {
+      add_jet(cases, iisph(), 0.04, model, layers);
+      add_jet(cases, iisph_of_the_thesis(), 0.04, model, layers);
+      add_jet(cases, ssph(7e5), 0.01, model, layers);
+    }
+  }
+  add_soft(cases, 100);
+  add_soft(cases, 400);
+}
+
+}  // namespace sluice

@@ -1,0 +1,69 @@
+// Time steps: up to ten times what the speed of the water allows, viscosity beyond its limit, and steps that
+// adapt.
+#include "studies/hard_case.hpp"
+
+namespace sluice {
+namespace {
+
+/// The time step with which a particle of breaking_dam moves about a spacing per step at its fastest.
+constexpr double cfl_limit = 0.075;
+
+void add_cfl(HardCases& cases) {
+  for (const double times : {0.5, 1.0, 2.0, 4.0, 10.0}) {
+    for (const Method& method : {iisph(), iisph_of_the_thesis()}) {
+      SceneParts parts = dam(fmt::format("Dam at {:g} times the CFL limit", times), method);
+      parts.time = fixed(times * cfl_limit, 20);
+      HardCase& hard = cases.add(fmt::format("dam_{:g}_percent_of_cfl", 100 * times), parts);
+      hard.quick = true;
+    }
+  }
+}
+
+void add_adaptive(HardCases& cases) {
+  for (const Method& method : {iisph(), iisph_of_the_thesis(), ssph(7e5), wcsph(7e5)}) {
+    SceneParts parts = dam("Dam with adaptive steps", method);
+    parts.time = adaptive(20);
+    cases.add("dam_adaptive", parts).quick = method.suffix == "iisph";
+  }
+}
+
+void add_viscosity(HardCases& cases) {
+  const double dt = 0.04;
+  for (const double share : {0.0, 0.5, 1.0, 4.0}) {
+    SceneParts parts = dam(fmt::format("Dam with nu dt / h^2 = {:g}", share), iisph());
+    parts.nu = share * h * h / dt;
+    parts.time = fixed(dt, 20);
+    HardCase& hard = cases.add(fmt::format("dam_viscosity_{:g}_percent", 100 * share), parts);
+    hard.quick = true;
+    parts.time = adaptive(10);
+    cases.add(fmt::format("dam_viscosity_{:g}_percent_adaptive", 100 * share), parts);
+  }
+}
+
+/// A block thrown at a wall, whose steps may not become short enough.
+void add_collapse(HardCases& cases) {
+  for (const Method& method : {iisph(), ssph(1e6)}) {
+    SceneParts parts;
+    parts.title = "A smallest step that is too long";
+    parts.size = {60 * h, 40 * h};
+    parts.fluid = block({10 * h, 3 * h}, 10, 10, {200, 0});
+    parts.boundary = container(parts, 3, true);
+    parts.method = method;
+    parts.time = adaptive(5, 0.1, 0.05);
+    HardCase& hard = cases.add("dt_min_too_long", parts);
+    hard.quick = true;
+    hard.expected.outcome = Outcome::stopped;
+    hard.expected.reason = "the time step collapsed: even with dt 0.05";
+  }
+}
+
+}  // namespace
+
+void add_time_steps(HardCases& cases) {
+  add_cfl(cases);
+  add_adaptive(cases);
+  add_viscosity(cases);
+  add_collapse(cases);
+}
+
+}  // namespace sluice
