@@ -17,6 +17,7 @@ std::string_view name_of(Outcome outcome) {
 std::string text_of(const Expectation& expected) {
   if (expected.outcome != Outcome::survived)
     return fmt::format("{}: {}", name_of(expected.outcome), expected.reason);
+  if (expected.may_be_stopped) return fmt::format("survived, or stopped: {}", expected.reason);
   std::string text = fmt::format("survived, lost <= {}", expected.lost);
   const auto add = [&](const char* what, const auto& bound) {
     if (bound) text += fmt::format(", {} {:g}", what, static_cast<double>(*bound));

@@ -19,10 +19,11 @@ std::string_view name_of(Outcome outcome);
 /// What has to come out. Bounds are of a run that survives.
 struct Expectation {
   Outcome outcome = Outcome::survived;
-  std::string reason;       ///< a part of why it is stopped or refused
-  bool warned = false;      ///< something is said before the first step
-  uint64_t stopped_by = 0;  ///< the last step in which it may be stopped; 0 for any
-  uint32_t lost = 0;        ///< particles, at most
+  bool may_be_stopped = false;  ///< too: which of the two comes out is chance
+  std::string reason;           ///< a part of why it is stopped or refused
+  bool warned = false;          ///< something is said before the first step
+  uint64_t stopped_by = 0;      ///< the last step in which it may be stopped; 0 for any
+  uint32_t lost = 0;            ///< particles, at most
   std::optional<uint32_t> least_lost;
   std::optional<double> energy_gain;       ///< over the start, relative to CaseResult::energy_scale
   std::optional<double> mean_compression;  ///< mean over the steps
@@ -45,13 +46,16 @@ struct HardCase {
   Expectation expected;
 };
 
+/// What runs are stopped for that blow up: more than 100 spacings in a step, or more than 10 % lost.
+inline constexpr const char* blown_up = "more than 10";
+
 /// The expectation in words: "survives, lost <= 0", "stopped: crowd together".
 std::string text_of(const Expectation& expected);
 
 /// Puts cases together.
 class HardCases {
  public:
-  /// A case named `topic` and after the method of its scene.
+  /// A case named `topic` and after the method of its scene. Valid until the next one is added.
   HardCase& add(const std::string& topic, const SceneParts& parts);
   /// The same with a scene of any text.
   HardCase& add(const std::string& name, const std::string& method, const std::string& scene);

@@ -4,29 +4,39 @@
 namespace sluice {
 namespace {
 
-/// A block that hits the floor of a closed box with `moves` spacings per step.
-void add_drop(HardCases& cases, const Method& method, double dt, double moves) {
+constexpr double impact_step = 0.04;
+
+/// Of IISPH; a state equation takes a fifth of it.
+double step_of(const Method& method) {
+  return method.label.starts_with("IISPH") ? impact_step : impact_step / 5;
+}
+
+/// A block that hits the floor of a closed box with `moves` spacings per step of IISPH.
+HardCase& add_drop(HardCases& cases, const Method& method, double moves, bool adapts) {
   SceneParts parts;
   parts.title = fmt::format("A block hits the floor at {:g} spacings per step", moves);
   parts.size = {65 * h, 80 * h};
-  parts.fluid = block({22 * h, 8 * h}, 20, 20, {0, -moves * h / dt});
+  parts.fluid = block({22 * h, 8 * h}, 20, 20, {0, -moves * h / impact_step});
   parts.boundary = container(parts, 3, true);
   parts.method = method;
-  parts.time = fixed(dt, 5);
-  cases.add(fmt::format("drop_{:g}_percent", 100 * moves), parts).quick = method.suffix == "iisph";
+  parts.time = adapts ? adaptive(5) : fixed(step_of(method), 5);
+  HardCase& hard =
+      cases.add(fmt::format("drop_{:g}_percent{}", 100 * moves, adapts ? "_adaptive" : ""), parts);
+  hard.quick = method.suffix == "iisph";
+  return hard;
 }
 
-/// A jet that hits a wall of so many layers with 0.3 spacings per step.
-HardCase& add_jet(HardCases& cases, const Method& method, double dt, const char* model, uint32_t layers) {
+/// A jet that hits a wall of so many layers with `moves` spacings per step of IISPH.
+HardCase& add_jet(HardCases& cases, const Method& method, double moves, const char* model, uint32_t layers) {
   SceneParts parts;
   parts.title = fmt::format("A jet on a wall, {}, layers {}", model, layers);
   parts.size = {80 * h, 60 * h};
-  parts.fluid = block({10 * h, 25 * h}, 60, 6, {0.3 * h / dt, 0});
+  parts.fluid = block({10 * h, 25 * h}, 60, 6, {moves * h / impact_step, 0});
   parts.boundary = container(parts, layers, true);
   parts.boundary_model = model;
   parts.method = method;
-  parts.time = fixed(dt, 10);
-  HardCase& hard = cases.add(fmt::format("jet_{}_{}", model, layers), parts);
+  parts.time = fixed(step_of(method), 10);
+  HardCase& hard = cases.add(fmt::format("jet_{:g}_{}_{}", 100 * moves, model, layers), parts);
   hard.quick = method.suffix == "iisph" && layers != 2;
   hard.expected.warned = layers < 3 && parts.boundary_model == "mirror";
   return hard;
@@ -47,19 +57,21 @@ void add_soft(HardCases& cases, double stiffness) {
 
 void add_impacts(HardCases& cases) {
   for (const double moves : {0.2, 0.5, 1.0, 2.0}) {
-    add_drop(cases, iisph(), 0.04, moves);
-    add_drop(cases, iisph_of_the_thesis(), 0.04, moves);
-    add_drop(cases, ssph(7e5), 0.008, moves);
-  }
-  for (const char* model : {"mirror", "akinci"}) {
-    for (const uint32_t layers : {1u, 2u, 3u}) {
-      add_jet(cases, iisph(), 0.04, model, layers);
-      add_jet(cases, iisph_of_the_thesis(), 0.04, model, layers);
-      add_jet(cases, ssph(7e5), 0.01, model, layers);
+    for (const Method& method : {iisph(), iisph_of_the_thesis(), ssph(7e5)}) {
+      add_drop(cases, method, moves, false);
+      add_drop(cases, method, moves, true);
     }
   }
+  for (const double moves : {0.3, 1.0}) {
+    for (const char* model : {"mirror", "akinci"}) {
+      for (const uint32_t layers : {1u, 2u, 3u}) {
+        for (const Method& method : {iisph(), iisph_of_the_thesis(), ssph(7e5)})
+          add_jet(cases, method, moves, model, layers);
+      }
+    }
+  }
+  add_soft(cases, 25);
   add_soft(cases, 100);
-  add_soft(cases, 400);
 }
 
 }  // namespace sluice

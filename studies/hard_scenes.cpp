@@ -21,6 +21,11 @@ Method at_tolerance(const Method& method, double tolerance) {
           fmt::format("{}tolerance = {:g}\n", method.text, tolerance)};
 }
 
+Method gentle(const Method& method) {
+  return {fmt::format("{}, source weight 0.1", method.label), fmt::format("{}_gentle", method.suffix),
+          fmt::format("{}source_weight = 0.1\n", method.text)};
+}
+
 Method ssph(double stiffness) {
   return {"SSPH", "ssph", fmt::format("method = \"ssph\"\n[pressure.ssph]\nstiffness = {:.6g}\n", stiffness)};
 }

@@ -19,6 +19,8 @@ Method iisph();                ///< the recommended settings
 Method iisph_of_the_thesis();  ///< the defaults of the keys
 /// With another pressure.iisph.tolerance.
 Method at_tolerance(const Method& method, double tolerance);
+/// With a source_weight of 0.1: compression is undone within some ten steps instead of one.
+Method gentle(const Method& method);
 Method ssph(double stiffness);
 Method wcsph(double kappa);
 

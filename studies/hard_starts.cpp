@@ -1,4 +1,5 @@
 // Hard starts: very few particles; too many of them in too little room.
+#include <algorithm>
 #include <cmath>
 
 #include "studies/hard_case.hpp"
@@ -6,7 +7,9 @@
 namespace sluice {
 namespace {
 
-SceneParts open_box(const std::string& title, const Method& method, const std::string& fluid) {
+bool is_implicit(const Method& method) { return method.label.starts_with("IISPH"); }
+
+SceneParts box(const std::string& title, const Method& method, const std::string& fluid) {
   SceneParts box;
   box.title = title;
   box.size = {40 * h, 60 * h};
@@ -52,16 +55,18 @@ void add_coincident(HardCases& cases) {
   };
   for (const auto& [name, distance] :
        {Distance{"0", 0}, {"1e12th", 1e-12}, {"1e6th", 1e-6}, {"1e3rd", 1e-3}}) {
-    for (const Method& method : {iisph(), iisph_of_the_thesis(), ssph(1e6), wcsph(1e6)}) {
-      const bool implicit = method.label.starts_with("IISPH");
+    for (const Method& method : {iisph(), iisph_of_the_thesis(), ssph(1.6e5), wcsph(1.6e5)}) {
       SceneParts parts =
-          open_box("Coincident pairs", method, block({5 * h, 3 * h}, 20, 20) + block({30 * h, 3 * h}, 2, 5));
-      parts.time = fixed(implicit ? 0.02 : 0.005, 5);
+          box("Coincident pairs", method, block({5 * h, 3 * h}, 20, 20) + block({30 * h, 3 * h}, 2, 5));
+      parts.boundary = container(parts, 3, true);
+      parts.time = fixed(is_implicit(method) ? 0.02 : 0.01, 10);
       HardCase& hard = cases.add(fmt::format("pairs_at_{}", name), parts);
       hard.rearrange = [distance = distance](const Scene& scene, Samples& samples) {
         pair_up(scene, samples, distance);
       };
-      hard.expected.closest = 0.3;
+      // Two particles in one place hold energy: pressure undoes a density of 1.46.
+      hard.expected.energy_gain = 10;
+      hard.expected.closest = 0.05;
       hard.quick = distance == 0 && method.suffix != "thesis";
     }
   }
@@ -75,18 +80,18 @@ SceneParts compressed(const Method& method, double compression) {
   parts.size = {std::ceil(19 * apart / h + 6) * h, 60 * h};
   const double left = (parts.size.x - 19 * apart) / 2;
   for (int i = 0; i < 20; ++i) parts.fluid += block({left + i * apart, 3 * h}, 1, 20);
-  parts.boundary = container(parts);
+  parts.boundary = container(parts, 3, true);
   parts.method = method;
   return parts;
 }
 
 void add_compressed(HardCases& cases) {
   for (const double compression : {0.05, 0.2, 0.5}) {
-    for (const Method& method : {iisph(), iisph_of_the_thesis(), ssph(1.6e5), wcsph(1.6e5)}) {
-      const bool implicit = method.label.starts_with("IISPH");
+    for (const Method& method :
+         {iisph(), gentle(iisph()), iisph_of_the_thesis(), ssph(1.6e5), wcsph(1.6e5)}) {
       SceneParts parts = compressed(method, compression);
       const std::string name = fmt::format("compressed_{:g}_percent", 100 * compression);
-      parts.time = fixed(implicit ? 0.04 : 0.01, 10);
+      parts.time = fixed(is_implicit(method) ? 0.04 : 0.01, 10);
       cases.add(name, parts).quick = method.suffix == "iisph";
       parts.time = adaptive(10);
       cases.add(fmt::format("{}_adaptive", name), parts).quick = method.suffix == "iisph";
@@ -94,7 +99,7 @@ void add_compressed(HardCases& cases) {
   }
 }
 
-/// So many by so many particles that meet in one place within `steps` steps.
+/// `edge` by `edge` particles that meet in one place after `steps` steps.
 void add_crowd(HardCases& cases, uint32_t edge, int steps) {
   SceneParts parts;
   parts.title = fmt::format("{} particles driven into one cell", edge * edge);
@@ -103,12 +108,28 @@ void add_crowd(HardCases& cases, uint32_t edge, int steps) {
   parts.gravity = 0;
   parts.nu = 0;
   parts.method = ssph(1e-6);
-  parts.time = fixed(1.0 / steps, 2);
-  HardCase& hard = cases.add(fmt::format("crowd_of_{}", edge * edge), parts);
+  parts.time = fixed(1.0 / steps, 3);
+  HardCase& hard = cases.add(fmt::format("crowd_of_{}_in_{}_steps", edge * edge, steps), parts);
   hard.quick = edge < 200;
   hard.expected.outcome = Outcome::stopped;
   hard.expected.reason = "crowd together";
   hard.expected.stopped_by = static_cast<uint64_t>(steps) + 1;
+}
+
+/// All of them in one place from the start.
+void add_heap(HardCases& cases, uint32_t edge) {
+  SceneParts parts;
+  parts.title = fmt::format("{} particles in one place", edge * edge);
+  parts.size = Vec2(edge + 10.0) * h;
+  parts.fluid = block({5 * h, 5 * h}, edge, edge);
+  parts.time = fixed(0.01, 1);
+  HardCase& hard = cases.add(fmt::format("heap_of_{}", edge * edge), parts);
+  hard.rearrange = [](const Scene&, Samples& samples) {
+    std::fill(samples.fluid.begin(), samples.fluid.end(), Vec2(samples.fluid.front()));
+  };
+  hard.quick = edge < 200;
+  hard.expected.outcome = Outcome::refused;
+  hard.expected.reason = "fluid: found a start with too many particles in one place";
 }
 
 }  // namespace
@@ -116,14 +137,20 @@ void add_crowd(HardCases& cases, uint32_t edge, int steps) {
 void add_few_particles(HardCases& cases) {
   for (const auto& [name, title, fluid] : few_particles()) {
     for (const Method& method : {iisph(), iisph_of_the_thesis(), ssph(1e6), wcsph(1e6)}) {
-      const bool implicit = method.label.starts_with("IISPH");
-      SceneParts parts = open_box(title, method, fluid);
-      parts.time = fixed(implicit ? 0.04 : 0.005, 20);
-      cases.add(name, parts).quick = method.suffix == "iisph";
+      SceneParts parts = box(title, method, fluid);
+      const double dt = is_implicit(method) ? 0.04 : 0.005;
+      parts.time = fixed(dt, 20);
+      HardCase& landing = cases.add(name, parts);
+      landing.quick = method.suffix == "iisph";
+      landing.expected.rise = 0;
+      landing.expected.mean_compression = 0.005;
       parts.title = fmt::format("{}, falling freely", title);
       parts.boundary.clear();
-      parts.time = fixed(0.04, 3);  // 44 of at least 80 to the domain's lower edge
-      cases.add(fmt::format("{}_free", name), parts).quick = method.suffix == "iisph";
+      parts.time = fixed(dt, 3);  // 44 of at least 80 to the domain's lower edge
+      HardCase& falling = cases.add(fmt::format("{}_free", name), parts);
+      falling.quick = method.suffix == "iisph";
+      falling.expected.rise = 0;
+      falling.expected.mean_compression = 1e-6;
     }
   }
 }
@@ -131,9 +158,11 @@ void add_few_particles(HardCases& cases) {
 void add_crowded_starts(HardCases& cases) {
   add_coincident(cases);
   add_compressed(cases);
-  add_crowd(cases, 141, 20);
-  add_crowd(cases, 1000, 20);
+  // In a single step, the outermost of 141 by 141 move by just less than 100 spacings.
+  for (const int steps : {1, 4, 20}) add_crowd(cases, 141, steps);
   add_crowd(cases, 1000, 8);
+  add_heap(cases, 141);
+  add_heap(cases, 1000);
 }
 
 }  // namespace sluice

@@ -22,28 +22,35 @@ HardCase& add_column(HardCases& cases, uint32_t columns, uint32_t rows, const Me
   return cases.add(fmt::format("column_{}x{}", columns, rows), tank);
 }
 
+/// How long a column is watched: the deeper, the more a second costs.
+double duration(uint32_t rows) { return rows <= 100 ? 20 : rows <= 200 ? 10 : 5; }
+
 void add_columns(HardCases& cases) {
   for (const uint32_t rows : {30u, 100u, 200u, 500u}) {
     const double dt = depth_step(0.4, rows);
-    HardCase& recommended = add_column(cases, 10, rows, iisph(), dt, 20);
+    HardCase& recommended = add_column(cases, 10, rows, iisph(), dt, duration(rows));
     recommended.quick = rows == 30;
     recommended.expected.mean_compression = 0.005;
     recommended.expected.lost = rows == 500 ? 1 : 0;
-    HardCase& tight = add_column(cases, 10, rows, at_tolerance(iisph(), 1e-4), dt, 20);
+    HardCase& tight = add_column(cases, 10, rows, at_tolerance(iisph(), 1e-4), dt, duration(rows));
     tight.expected.mean_compression = 0.005;
     tight.expected.lost = rows == 500 ? 1 : 0;
-    add_column(cases, 10, rows, iisph_of_the_thesis(), dt, 20);
-    if (rows <= 100) add_column(cases, 10, rows, at_tolerance(iisph_of_the_thesis(), 1e-4), dt, 20);
+    add_column(cases, 10, rows, iisph_of_the_thesis(), dt, duration(rows));
+    if (rows <= 100) add_column(cases, 10, rows, at_tolerance(iisph_of_the_thesis(), 1e-4), dt, 5);
     if (rows <= 100) add_column(cases, 10, rows, ssph(stiffness(rows)), sound_step(rows), 20);
   }
 }
 
 void add_extremes(HardCases& cases) {
   for (const Method& method : {iisph(), iisph_of_the_thesis()}) {
-    add_column(cases, 1, 200, method, depth_step(0.4, 200), 20);
+    HardCase& shaft = add_column(cases, 1, 200, method, depth_step(0.4, 200), 20);
+    shaft.quick = method.suffix == "iisph";
+    // That wall pushes with more than it feels, and here every particle leans on two of them.
+    shaft.expected.may_be_stopped = method.suffix == "thesis";
+    shaft.expected.reason = shaft.expected.may_be_stopped ? blown_up : "";
     SceneParts film = full_tank("Film 5 deep and 1000 wide", 1000, 5, method);
-    film.time = fixed(0.05, 10);
-    cases.add("film_1000x5", film);
+    film.time = fixed(0.05, 5);
+    cases.add("film_1000x5", film).expected.rise = 1;
   }
 }
 
