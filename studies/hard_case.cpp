@@ -33,6 +33,16 @@ std::string text_of(const Expectation& expected) {
   return text;
 }
 
+void expect_stop(Expectation& expected, const char* reason) {
+  expected.outcome = Outcome::stopped;
+  expected.reason = reason;
+}
+
+void allow_stop(Expectation& expected, const char* reason) {
+  expected.may_be_stopped = true;
+  expected.reason = reason;
+}
+
 HardCase& HardCases::add(const std::string& topic, const SceneParts& parts) {
   return add(fmt::format("{}_{}", topic, parts.method.suffix), parts.method.label, scene_text(parts));
 }

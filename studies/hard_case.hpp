@@ -34,6 +34,14 @@ struct Expectation {
   std::optional<uint32_t> list_growths;    ///< times the neighbour list became longer
 };
 
+/// What runs are stopped for that blow up: more than 100 spacings in a step, or more than 10 % lost; and such
+/// with adaptive steps.
+inline constexpr const char *blown_up = "more than 10", *collapsed = "the time step collapsed";
+
+/// It has to be stopped for this; or it may be.
+void expect_stop(Expectation& expected, const char* reason);
+void allow_stop(Expectation& expected, const char* reason);
+
 struct HardCase {
   std::string name;    ///< that of its scene file
   std::string method;  ///< for people
@@ -45,9 +53,6 @@ struct HardCase {
   bool quick = false;  ///< a second at most on the CPU
   Expectation expected;
 };
-
-/// What runs are stopped for that blow up: more than 100 spacings in a step, or more than 10 % lost.
-inline constexpr const char* blown_up = "more than 10";
 
 /// The expectation in words: "survives, lost <= 0", "stopped: crowd together".
 std::string text_of(const Expectation& expected);

@@ -85,16 +85,37 @@ SceneParts compressed(const Method& method, double compression) {
   return parts;
 }
 
+/// IISPH undoes a density in the next step, however short that is: the shorter, the faster particles fly
+/// apart, and adaptive steps find none that is short enough. Undone in ten steps, it may be a fifth. A state
+/// equation has no such trouble, unless Tait's makes the start stiffer than its time step.
+void expect_of_compressed(Expectation& expected, double compression, const std::string& method, bool adapts) {
+  const bool implicit = method.starts_with("IISPH"), slowly = method == gentle(iisph()).label;
+  expected.energy_gain = compression == 0.05 ? 3 : compression == 0.2 ? 10 : 100;
+  if (implicit && !slowly && compression > 0.1) {
+    // Chance decides whether more than a tenth of the fluid passes the walls.
+    const bool one_by_one = compression == 0.2 && !adapts;
+    const bool at_once = compression == 0.5 && method == iisph_of_the_thesis().label;
+    const char* reason = adapts && !at_once ? collapsed : blown_up;
+    one_by_one ? allow_stop(expected, reason) : expect_stop(expected, reason);
+  }
+  // Here it takes steps of 0.403 spacings where 0.4 are allowed.
+  if (method == iisph_of_the_thesis().label && compression == 0.05 && adapts) allow_stop(expected, collapsed);
+  if (slowly && compression == 0.5 && adapts) expect_stop(expected, collapsed);
+  if (method == "WCSPH" && compression == 0.5 && !adapts) expect_stop(expected, blown_up);
+}
+
 void add_compressed(HardCases& cases) {
   for (const double compression : {0.05, 0.2, 0.5}) {
     for (const Method& method :
          {iisph(), gentle(iisph()), iisph_of_the_thesis(), ssph(1.6e5), wcsph(1.6e5)}) {
-      SceneParts parts = compressed(method, compression);
-      const std::string name = fmt::format("compressed_{:g}_percent", 100 * compression);
-      parts.time = fixed(is_implicit(method) ? 0.04 : 0.01, 10);
-      cases.add(name, parts).quick = method.suffix == "iisph";
-      parts.time = adaptive(10);
-      cases.add(fmt::format("{}_adaptive", name), parts).quick = method.suffix == "iisph";
+      for (const bool adapts : {false, true}) {
+        SceneParts parts = compressed(method, compression);
+        parts.time = adapts ? adaptive(10) : fixed(is_implicit(method) ? 0.04 : 0.01, 10);
+        HardCase& hard = cases.add(
+            fmt::format("compressed_{:g}_percent{}", 100 * compression, adapts ? "_adaptive" : ""), parts);
+        hard.quick = method.suffix == "iisph";
+        expect_of_compressed(hard.expected, compression, method.label, adapts);
+      }
     }
   }
 }
@@ -109,10 +130,9 @@ void add_crowd(HardCases& cases, uint32_t edge, int steps) {
   parts.nu = 0;
   parts.method = ssph(1e-6);
   parts.time = fixed(1.0 / steps, 3);
-  HardCase& hard = cases.add(fmt::format("crowd_of_{}_in_{}_steps", edge * edge, steps), parts);
+  HardCase& hard = cases.add(fmt::format("crowd_of_{}_in_{}", edge * edge, steps), parts);
   hard.quick = edge < 200;
-  hard.expected.outcome = Outcome::stopped;
-  hard.expected.reason = "crowd together";
+  expect_stop(hard.expected, "crowd together");
   hard.expected.stopped_by = static_cast<uint64_t>(steps) + 1;
 }
 

@@ -14,10 +14,9 @@ void expect_beyond_cfl(HardCase& hard, double times) {
   Expectation& expected = hard.expected;
   expected.warned = times > 1;  // of dt sqrt(g depth) / h
   if (times <= 1) expected.energy_gain = 0.01;
-  if (times == 2) expected.may_be_stopped = hard.method != iisph().label;
   if (times == 2) expected.lost = 5;
-  if (times > 2) expected.outcome = Outcome::stopped;
-  if (times > 2 || expected.may_be_stopped) expected.reason = blown_up;
+  if (times == 2 && hard.method != iisph().label) allow_stop(expected, blown_up);
+  if (times > 2) expect_stop(expected, blown_up);
 }
 
 void add_cfl(HardCases& cases) {
@@ -53,8 +52,7 @@ void add_viscosity(HardCases& cases) {
     hard.expected.warned = share > 0.5;
     hard.expected.lost = share == 0 ? 5 : 0;  // lively water throws a drop or two over the rim
     hard.expected.energy_gain = 0.01;
-    if (share > 0.5) hard.expected.outcome = Outcome::stopped;
-    if (share > 0.5) hard.expected.reason = blown_up;
+    if (share > 0.5) expect_stop(hard.expected, blown_up);
     parts.time = adaptive(10);
     HardCase& adapting = cases.add(fmt::format("dam_viscosity_{:g}_percent_adaptive", 100 * share), parts);
     adapting.expected.lost = share == 0 ? 5 : 0;
@@ -75,8 +73,7 @@ void add_collapse(HardCases& cases) {
     HardCase& hard = cases.add("dt_min_too_long", parts);
     hard.quick = true;
     hard.expected.warned = method.suffix == "ssph";  // of sound
-    hard.expected.outcome = Outcome::stopped;
-    hard.expected.reason = "the time step collapsed: even with dt 0.05";
+    expect_stop(hard.expected, "the time step collapsed: even with dt 0.05 a particle moved by");
   }
 }
 

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
@@ -21,11 +22,13 @@ namespace {
 struct Close {
   void operator()(std::FILE* file) const { std::fclose(file); }
 };
+using Clock = std::chrono::steady_clock;
 using File = std::unique_ptr<std::FILE, Close>;
 
 struct Child {
   size_t task = 0;
   File said;
+  Clock::time_point start = Clock::now();
 };
 
 [[noreturn]] void fail(const char* what) {
@@ -78,7 +81,8 @@ std::pair<size_t, ChildEnd> await(std::map<pid_t, Child>& children) {
   } while (!children.contains(ended));
   const auto child = children.find(ended);
   ChildEnd end{all_of(child->second.said.get()), WIFEXITED(status) ? WEXITSTATUS(status) : 0,
-               WIFSIGNALED(status) ? WTERMSIG(status) : 0};
+               WIFSIGNALED(status) ? WTERMSIG(status) : 0,
+               std::chrono::duration<double>(Clock::now() - child->second.start).count()};
   const size_t task = child->second.task;
   children.erase(child);
   return {task, std::move(end)};
@@ -94,7 +98,7 @@ void in_children(size_t count, int jobs, const std::function<std::string(size_t)
       File said(std::tmpfile());
       if (!said) fail("a temporary file");
       const pid_t child = start(task, next, said.get());
-      children.emplace(child, Child{next++, std::move(said)});
+      children.emplace(child, Child{next++, std::move(said), Clock::now()});
       continue;
     }
     const auto [ended, end] = await(children);

@@ -12,6 +12,7 @@ struct ChildEnd {
   std::string text;  ///< what it returned, or the message of what it threw
   int code = 0;      ///< 0, or 2 for InputError and 3 for any other exception
   int signal = 0;    ///< what killed it; 0 if nothing did
+  double seconds = 0;
 };
 
 /// Does tasks 0 to `count` - 1, each in a child of this process and `jobs` >= 1 of them at a time. `done` is

@@ -94,7 +94,8 @@ std::vector<Row> run_all(const StudyOptions& options, const std::vector<HardCase
     rows[i] = end.signal == 0
                   ? nlohmann::json::parse(end.text).get<Row>()
                   : hard_row_without(hard, backend, fmt::format("crashed with signal {}", end.signal));
-    fmt::print(stderr, "{:>4}/{} {} on {}: {}\n", ++ended, count, hard.name, backend, rows[i].back());
+    fmt::print(stderr, "{:>4}/{} {:6.1f} s  {} on {}: {}\n", ++ended, count, end.seconds, hard.name, backend,
+               rows[i].back());
   });
   return rows;
 }
