@@ -3,9 +3,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <bit>
 #include <cmath>
+
+#include "studies/table.hpp"
 
 namespace sluice {
 namespace {
@@ -31,11 +32,6 @@ std::string outcome_text(const CaseResult& result) {
 
 std::string verdict_text(const std::vector<std::string>& faults) {
   return faults.empty() ? as_expected : fmt::format("{}", fmt::join(faults, "; "));
-}
-
-size_t place_of(const std::string& column) {
-  const auto& columns = hard_columns();
-  return static_cast<size_t>(std::find(columns.begin(), columns.end(), column) - columns.begin());
 }
 
 /// Everything that a run measures, in the order of the columns.
@@ -97,12 +93,12 @@ std::vector<std::string> hard_row(const HardCase& hard, const CaseResult& result
 std::vector<std::string> hard_row_without(const HardCase& hard, const std::string& backend,
                                           const std::string& how) {
   std::vector<std::string> row(hard_columns().size());
-  row[place_of("case")] = hard.name;
-  row[place_of("method")] = hard.method;
-  row[place_of("backend")] = backend;
-  row[place_of("outcome")] = how;
-  row[place_of("expected")] = text_of(hard.expected);
-  row[place_of("verdict")] = how;
+  row[place_of("case", hard_columns())] = hard.name;
+  row[place_of("method", hard_columns())] = hard.method;
+  row[place_of("backend", hard_columns())] = backend;
+  row[place_of("outcome", hard_columns())] = how;
+  row[place_of("expected", hard_columns())] = text_of(hard.expected);
+  row[place_of("verdict", hard_columns())] = how;
   return row;
 }
 

@@ -29,6 +29,10 @@ std::string escaped(const std::string& cell) {
 
 }  // namespace
 
+size_t place_of(const std::string& column, const std::vector<std::string>& columns) {
+  return static_cast<size_t>(std::find(columns.begin(), columns.end(), column) - columns.begin());
+}
+
 std::string TextTable::csv() const {
   std::string text;
   const auto add = [&](const std::vector<std::string>& row) {
@@ -66,10 +70,7 @@ TextTable TextTable::only(const std::vector<std::string>& names) const {
   TextTable part{names, {}};
   for (const auto& row : rows) {
     auto& cells = part.rows.emplace_back();
-    for (const std::string& name : names) {
-      const auto column = std::find(columns.begin(), columns.end(), name);
-      cells.push_back(row.at(static_cast<size_t>(column - columns.begin())));
-    }
+    for (const std::string& name : names) cells.push_back(row.at(place_of(name, columns)));
   }
   return part;
 }

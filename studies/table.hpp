@@ -6,6 +6,9 @@
 
 namespace sluice {
 
+/// The place of a column that is there.
+size_t place_of(const std::string& column, const std::vector<std::string>& columns);
+
 struct TextTable {
   std::vector<std::string> columns;
   std::vector<std::vector<std::string>> rows;

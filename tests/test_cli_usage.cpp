@@ -54,10 +54,6 @@ TEST(CliUsage, WordsThatMeanNothingAreRefused) {
 }
 
 TEST(CliUsage, WhatIsNotBuiltYetSaysSo) {
-  for (const Words& words : {Words{"study"}, {"study", "table_6_1", "--out", "out", "--quick"}}) {
-    const std::string message = refusal(words);
-    EXPECT_TRUE(has(message, "not available yet") && has(message, words[0])) << message;
-  }
   for (const Words& option :
        {Words{"--checkpoint", "a.ckp"}, {"--checkpoint-every", "5"}, {"--resume", "a.ckp"}}) {
     Words words{"run", "breaking_dam", "--steps", "1", "--state", "s.csv", "--frames", "f"};

@@ -78,6 +78,7 @@ struct AgreeOptions {
 struct StudyOptions {
   std::string name;
   std::optional<std::filesystem::path> out;
+  std::string only;    ///< part of the names of the cases to run
   int jobs = 1;        ///< cases at a time
   bool quick = false;  ///< only cases of a second
   bool list = false;   ///< print the runs instead

@@ -29,6 +29,12 @@ std::filesystem::path scene_path(const StudyOptions& options, const HardCase& ha
 
 std::vector<HardCase> cases_of(const StudyOptions& options) {
   std::vector<HardCase> cases = hard_cases();
+  std::erase_if(cases,
+                [&](const HardCase& hard) { return hard.name.find(options.only) == std::string::npos; });
+  if (cases.empty()) {
+    throw InputError(fmt::format(
+        "--only: found \"{}\", expected text from the name of a case; --list prints them", options.only));
+  }
   if (options.quick) std::erase_if(cases, [](const HardCase& hard) { return !hard.quick; });
   return cases;
 }
@@ -102,9 +108,7 @@ std::vector<Row> run_all(const StudyOptions& options, const std::vector<HardCase
 
 /// How many cases left the same state on both backends.
 size_t count_equal(const std::vector<Row>& rows) {
-  const auto& columns = hard_columns();
-  const auto state =
-      static_cast<size_t>(std::find(columns.begin(), columns.end(), "state") - columns.begin());
+  const size_t state = place_of("state", hard_columns());
   size_t equal = 0;
   for (size_t i = 0; i < rows.size(); i += 2) equal += rows[i][state] == rows[i + 1][state] ? 1 : 0;
   return equal;
