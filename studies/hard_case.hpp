@@ -50,7 +50,7 @@ struct HardCase {
   std::function<void(const Scene&, Samples&)> rearrange;
   /// A scene in which the same particles have to have the same bits of velocity, density and pressure.
   std::string same_as;
-  bool quick = false;  ///< a second at most on the CPU
+  bool quick = false;  ///< a moment on the CPU, and chosen for the tests that always run
   Expectation expected;
 };
 

@@ -25,7 +25,7 @@ void add_distances(HardCases& cases) {
       there.time = here.time;
       HardCase& hard = cases.add(fmt::format("dam_moved_by_{:g}_h", away), there);
       hard.same_as = scene_text(here);
-      hard.quick = method.suffix == "iisph";
+      hard.quick = method.suffix == "iisph" && away == 1e6;
     }
   }
 }
@@ -44,7 +44,7 @@ void add_strays(HardCases& cases) {
       parts.fluid += block(h * place, 1, 1);
       parts.time = fixed(method.suffix == "ssph" ? 0.01 : 0.04, 10);
       HardCase& hard = cases.add(fmt::format("stray_{}", name), parts);
-      hard.quick = method.suffix == "iisph";
+      hard.quick = method.suffix == "iisph" && place.y < 0;
       hard.expected.warned = place.x == 10;  // of the depth that it adds, or of the speed it may reach
       hard.expected.lost = lost;
       hard.expected.least_lost = lost;

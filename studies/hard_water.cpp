@@ -44,7 +44,7 @@ void add_columns(HardCases& cases) {
 void add_extremes(HardCases& cases) {
   for (const Method& method : {iisph(), iisph_of_the_thesis()}) {
     HardCase& shaft = add_column(cases, 1, 200, method, depth_step(0.4, 200), 20);
-    shaft.quick = method.suffix == "iisph";
+
     // That wall pushes with more than it feels, and here every particle leans on two of them.
     if (method.suffix == "thesis") allow_stop(shaft.expected, blown_up);
     SceneParts film = full_tank("Film 5 deep and 1000 wide", 1000, 5, method);

@@ -263,7 +263,7 @@ void declare_run_options(CLI::App& app, RunOptions& options) {
 void declare_study_options(CLI::App& app, StudyOptions& options) {
   app.add_option("NAME", options.name, "Which table; without one they are listed");
   add_path(app, "--out", options.out, "Write the tables and the scenes into this folder")->type_name("DIR");
-  app.add_flag("--quick", options.quick, "Only cases that take a second at most");
+  app.add_flag("--quick", options.quick, "Only some, which take a minute");
   app.add_option("--only", options.only, "Only cases whose name has this text in it")->type_name("TEXT");
   app.add_flag("--list", options.list, "Write the scenes, print the `sluice run` of each case, run nothing");
   add_number<int>(

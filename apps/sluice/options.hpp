@@ -80,7 +80,7 @@ struct StudyOptions {
   std::optional<std::filesystem::path> out;
   std::string only;    ///< part of the names of the cases to run
   int jobs = 1;        ///< cases at a time
-  bool quick = false;  ///< only cases of a second
+  bool quick = false;  ///< only some of them
   bool list = false;   ///< print the runs instead
 };
 
