@@ -59,6 +59,12 @@ void PngWriter::write(std::filesystem::path path, Image image) {
   changed_.notify_all();
 }
 
+void PngWriter::flush() {
+  std::unique_lock lock(mutex_);
+  changed_.wait(lock, [this] { return failure_ || (queue_.empty() && !writing_); });
+  if (failure_) std::rethrow_exception(failure_);
+}
+
 void PngWriter::finish() {
   stop();
   if (failure_) std::rethrow_exception(failure_);
@@ -80,6 +86,7 @@ void PngWriter::work() {
     if (queue_.empty()) return;
     const auto [path, image] = std::move(queue_.front());
     queue_.pop_front();
+    writing_ = true;
     changed_.notify_all();
     lock.unlock();
     std::exception_ptr failure;
@@ -89,10 +96,11 @@ void PngWriter::work() {
       failure = std::current_exception();
     }
     lock.lock();
+    writing_ = false;
+    changed_.notify_all();
     if (failure) {
       failure_ = failure;
       queue_.clear();
-      changed_.notify_all();
       return;
     }
   }

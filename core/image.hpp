@@ -37,7 +37,10 @@ class PngWriter {
   /// Throws the failure of an earlier picture, the first there was.
   void write(std::filesystem::path path, Image image);
 
-  /// Returns when all is on disk; throws the first failure. Nothing may be written afterwards.
+  /// Returns when all so far is on disk; throws the first failure.
+  void flush();
+
+  /// The same. Nothing may be written afterwards.
   void finish();
 
  private:
@@ -49,7 +52,7 @@ class PngWriter {
   std::condition_variable changed_;
   std::deque<std::pair<std::filesystem::path, Image>> queue_;
   std::exception_ptr failure_;
-  bool stopping_ = false;
+  bool stopping_ = false, writing_ = false;
   std::thread thread_;  // last, so that everything it uses exists
 };
 

@@ -145,6 +145,28 @@ void OutputFile::commit() {
   temporary_.clear();
 }
 
+void OutputFile::commit_to_disk() {
+  const bool renamed = !temporary_.empty();
+  flush();
+  sync();
+  commit();
+  if (renamed) sync_folder();
+}
+
+// Pipes and some devices have nothing to wait for.
+void OutputFile::sync() {
+  if (fsync(descriptor_) != 0 && errno != EINVAL && errno != ENOTSUP && errno != EROFS) fail(errno);
+}
+
+// A folder that may be written but not read can't be opened for this; the file has its name all the same.
+void OutputFile::sync_folder() {
+  const std::filesystem::path folder = target_.has_parent_path() ? target_.parent_path() : ".";
+  descriptor_ = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor_ < 0) return;
+  sync();
+  close(std::exchange(descriptor_, -1));
+}
+
 void OutputFile::discard() noexcept {
   if (descriptor_ >= 0) close(std::exchange(descriptor_, -1));
   if (!temporary_.empty()) unlink(temporary_.c_str());

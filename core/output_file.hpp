@@ -24,6 +24,10 @@ class OutputFile {
   /// Writes what is buffered, closes, and gives the file its name. Nothing may be written afterwards.
   void commit();
 
+  /// The same, and returns only when the bytes and the name are on the disk: after a power cut the file is
+  /// there.
+  void commit_to_disk();
+
   /// The name that was asked for.
   const std::filesystem::path& path() const { return path_; }
 
@@ -34,6 +38,8 @@ class OutputFile {
  private:
   void open_temporary();
   void flush();
+  void sync();
+  void sync_folder();
   void discard() noexcept;
   [[noreturn]] void fail(int reason);
 

@@ -67,8 +67,8 @@ SceneValue convert(const toml::node& node, const Origin& origin) {
 
 SceneValue parse_toml(std::string_view text, const std::string& file) {
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // a byte order mark takes no column
-  Locate locate = [&](const toml::source_position& at) {
-    return fmt::format("{}:{}:{}", file, std::max(at.line, 1u), std::max(at.column, 1u));
+  Locate locate = [name = one_line(file)](const toml::source_position& at) {
+    return fmt::format("{}:{}:{}", name, std::max(at.line, 1u), std::max(at.column, 1u));
   };
   if (auto problem = scan_toml(text))
     throw InputError(fmt::format("{}: {}", locate({problem->line, problem->column}), problem->message));

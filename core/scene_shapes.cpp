@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/scene_length.hpp"
+#include "core/shapes.hpp"
 
 namespace sluice {
 namespace {
@@ -130,6 +131,16 @@ Polygon ShapeReader::polygon(const Place& place) {
   return polygon;
 }
 
+Polygon ShapeReader::fluid_polygon(const Place& place) {
+  Polygon made = polygon(place);
+  const Vec2 centre = centre_of(made, h_);
+  if (!std::isfinite(centre.x) || !std::isfinite(centre.y))
+    throw refusal(blame({&place.table->at("points"), &spacing_}), place.path + ".points",
+                  "corners with edges that cross, around nothing on balance",
+                  "corners in order around an area");
+  return made;
+}
+
 Container ShapeReader::container(const Place& place) {
   const SceneValue& table = *place.table;
   Container box{point(table.at("min"), place.path + ".min"), point(table.at("max"), place.path + ".max"),
@@ -165,7 +176,7 @@ std::vector<FluidShape> ShapeReader::fluid(const SceneValue& table) {
     FluidShape& shape = shapes.emplace_back();
     if (place.kind == "rect") shape.geometry = rect(place);
     if (place.kind == "disc") shape.geometry = disc(place);
-    if (place.kind == "polygon") shape.geometry = polygon(place);
+    if (place.kind == "polygon") shape.geometry = fluid_polygon(place);
     shape.velocity = numbers(place.table->at("velocity"));
     shape.velocity_gradient = matrix(place.table->at("velocity_gradient"));
     shape.key = place.path;

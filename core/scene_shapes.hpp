@@ -36,6 +36,7 @@ class ShapeReader {
   Rect rect(const Place& place);
   Disc disc(const Place& place);
   Polygon polygon(const Place& place);
+  Polygon fluid_polygon(const Place& place);  ///< one with a centre of area
   Container container(const Place& place);
   Segment segment(const Place& place);
   void add_samples(const Place& place, double count);

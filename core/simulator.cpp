@@ -65,6 +65,12 @@ std::optional<size_t> first_not_finite(const std::vector<Vec2>& values) {
 }  // namespace
 
 Simulator::Simulator(const Scene& scene, const Samples& samples, Backend& backend)
+    : Simulator(scene, samples, backend, NotStarted{}) {
+  const std::vector<Vec2> x = moved(samples.fluid, -params_.origin);
+  start(scene.relax > 0 ? relaxed_positions(x) : x);
+}
+
+Simulator::Simulator(const Scene& scene, const Samples& samples, Backend& backend, NotStarted)
     : scene_(scene),
       samples_(samples),
       backend_(backend),
@@ -74,8 +80,6 @@ Simulator::Simulator(const Scene& scene, const Samples& samples, Backend& backen
   sizes_.boundary = samples.boundary.size();
   sizes_.cells = uint64_t{params_.columns} * params_.rows;
   sizes_.list = first_list_size(sizes_.fluid, scene.smoothing);
-  const std::vector<Vec2> x = moved(samples.fluid, -params_.origin);
-  start(scene.relax > 0 ? relaxed_positions(x) : x);
 }
 
 /// Velocities come from the (relaxed) positions. The density of the start is computed, so that it can be
@@ -246,9 +250,13 @@ void Simulator::change_dt(double dt) {
   backend_.configure(params_, plan_.needs);
 }
 
+StepControl Simulator::make_control() const {
+  return {*scene_.adaptive, scene_.spacing, step_bounds(scene_, samples_).safe()};
+}
+
 /// The first step follows from the start's speeds and external accelerations.
 void Simulator::begin_adaptive(const std::vector<Vec2>& x, const std::vector<Vec2>& v) {
-  control_.emplace(*scene_.adaptive, scene_.spacing, step_bounds(scene_, samples_).safe());
+  control_ = make_control();
   double speed = 0, acceleration = 0;
   for (size_t i = 0; i < x.size(); ++i) {
     const Vec2 a = params_.gravity - params_.central_force * (x[i] - params_.centre);
@@ -340,6 +348,35 @@ Snapshot Simulator::state_before_step() const {
   const std::vector<uint32_t> id = ids(Field::id), id_before = ids(Field::id_in);
   return {by_id(moved(vectors(Field::x), params_.origin), id), by_id(vectors(Field::v), id),
           by_id(scalars(Field::rho_in), id_before), by_id(scalars(Field::p_in), id_before), steps_ - 1};
+}
+
+SimulationState Simulator::state() const {
+  const std::vector<uint32_t> id = ids(Field::id);
+  return {{steps_, steps_before_, time_before_, params_.dt, next_dt_},
+          diagnostics_,
+          by_id(vectors(Field::x_in), id),
+          by_id(vectors(Field::v_in), id),
+          by_id(scalars(Field::rho), id),
+          by_id(scalars(Field::p), id)};
+}
+
+/// What the last step left behind is put where it left it. Particles stand in another order than there; the
+/// grid sorts them by cell and id, so that no step sees it.
+Simulator::Simulator(const Scene& scene, const Samples& samples, Backend& backend,
+                     const SimulationState& state)
+    : Simulator(scene, samples, backend, NotStarted{}) {
+  steps_ = state.clock.steps;
+  steps_before_ = state.clock.steps_before;
+  time_before_ = state.clock.time_before;
+  next_dt_ = state.clock.next_dt;
+  diagnostics_ = state.diagnostics;
+  if (scene.adaptive) control_ = make_control();
+  set_dt(params_, scene, state.clock.dt);
+  set_up(plan_, params_);
+  upload_state(state.x, state.v);
+  backend_.upload(Field::rho, state.density);
+  backend_.upload(Field::p, state.pressure);
+  backend_.reset_seconds();
 }
 
 }  // namespace sluice

@@ -12,6 +12,7 @@
 #include "core/report.hpp"
 #include "core/sampling.hpp"
 #include "core/scene.hpp"
+#include "core/simulation_state.hpp"
 #include "core/time_step.hpp"
 
 namespace sluice {
@@ -21,6 +22,10 @@ class Simulator {
   /// Sets up the start of `scene` on `backend`, relaxed if the scene asks for it. Both must outlive the
   /// simulator.
   Simulator(const Scene& scene, const Samples& samples, Backend& backend);
+
+  /// Goes on from `state`, which state() returned in a run of the same scene and precision: every later step
+  /// has the bits that it has there.
+  Simulator(const Scene& scene, const Samples& samples, Backend& backend, const SimulationState& state);
 
   /// Runs one step. Sets failure() when the state it leads to is invalid; then no further step may follow.
   /// Where the scene's steps adapt, they are shortened to end at the time `end`, and one that moves a
@@ -41,7 +46,12 @@ class Simulator {
   /// start.
   Snapshot snapshot() const;
 
+  /// What another simulator can go on from. Only while there is no failure().
+  SimulationState state() const;
+
  private:
+  struct NotStarted {};
+  Simulator(const Scene& scene, const Samples& samples, Backend& backend, NotStarted);
   void start(const std::vector<Vec2>& x);
   void refuse_beyond_range() const;
   std::vector<Vec2> relaxed_positions(const std::vector<Vec2>& x);
@@ -49,6 +59,7 @@ class Simulator {
   void set_up(const Plan& plan, const Params& params);
   void begin_step();
   void begin_adaptive(const std::vector<Vec2>& x, const std::vector<Vec2>& v);
+  StepControl make_control() const;
   double cut_dt(double end) const;
   void run(std::span<const Stage> stages);
   bool run_step(const Plan& plan, StepReport& report);

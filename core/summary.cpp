@@ -19,8 +19,9 @@ double sweep_seconds(const RunSummary& summary) {
 
 double sweeps_per_second(const RunSummary& summary) {
   const double seconds = sweep_seconds(summary);
+  const RunStatistics& statistics = summary.statistics;
   const double sweeps = static_cast<double>(summary.samples.fluid.size()) *
-                        static_cast<double>(summary.statistics.iterations());
+                        static_cast<double>(statistics.iterations() - statistics.before().iterations);
   return seconds > 0 ? sweeps / seconds : 0;
 }
 
@@ -38,17 +39,17 @@ std::vector<Stage> distinct_stages(const Plan& plan) {
 
 void RunStatistics::add(const StepReport& report) {
   const Diagnostics& d = report.diagnostics;
-  ++steps_;
-  iterations_ += report.iterations;
-  iterations_max_ = std::max(iterations_max_, report.iterations);
-  if (!report.converged) ++not_converged_;
-  compression_sum_ += d.mean_compression;
-  compression_max_ = larger(compression_max_, d.max_compression);
-  cfl_max_ = larger(cfl_max_, d.cfl);
-  lost_ = d.lost;
-  repeats_ += report.repeats;
-  dt_min_ = std::min(dt_min_, report.dt);
-  dt_max_ = std::max(dt_max_, report.dt);
+  ++counts_.steps;
+  counts_.iterations += report.iterations;
+  counts_.iterations_max = std::max(counts_.iterations_max, report.iterations);
+  if (!report.converged) ++counts_.not_converged;
+  counts_.compression_sum += d.mean_compression;
+  counts_.compression_max = larger(counts_.compression_max, d.max_compression);
+  counts_.cfl_max = larger(counts_.cfl_max, d.cfl);
+  counts_.lost = d.lost;
+  counts_.repeats += report.repeats;
+  counts_.dt_min = std::min(counts_.dt_min, report.dt);
+  counts_.dt_max = std::max(counts_.dt_max, report.dt);
 }
 
 nlohmann::ordered_json to_json(const RunSummary& summary) {
@@ -90,9 +91,11 @@ nlohmann::ordered_json to_json(const RunSummary& summary) {
 
 std::string to_text(const RunSummary& summary) {
   const auto& [scene, samples, backend, simulator, statistics, seconds] = summary;
-  std::string text = fmt::format("{}: {} steps of {}, {:g} simulated in {:.3g} s, {} + {} particles\n",
+  const uint64_t before = statistics.before().steps;
+  const std::string last = before > 0 ? fmt::format(", the last {}", statistics.steps() - before) : "";
+  std::string text = fmt::format("{}: {} steps of {}, {:g} simulated{} in {:.3g} s, {} + {} particles\n",
                                  scene.title, statistics.steps(), title_of(scene.method), simulator.time(),
-                                 seconds, samples.fluid.size(), samples.boundary.size());
+                                 last, seconds, samples.fluid.size(), samples.boundary.size());
   if (!simulator.plan().sweep.empty()) {
     text +=
         fmt::format("iterations {:.2f} on average, {} at most; {} steps did not converge\n",
@@ -108,8 +111,8 @@ std::string to_text(const RunSummary& summary) {
       statistics.compression_mean(), statistics.compression_max(), statistics.cfl_max(), statistics.lost());
   text += fmt::format("{:<24}{:>10}{:>8}\n", "stage", "seconds", "share");
   double staged = 0;
-  const auto row = [&](std::string_view name, double spent) {
-    text += fmt::format("{:<24}{:>10.3f}{:>7.1f}%\n", name, spent, seconds > 0 ? 100 * spent / seconds : 0);
+  const auto row = [&text, total = summary.seconds](std::string_view name, double spent) {
+    text += fmt::format("{:<24}{:>10.3f}{:>7.1f}%\n", name, spent, total > 0 ? 100 * spent / total : 0);
   };
   for (const Stage stage : distinct_stages(simulator.plan())) {
     staged += backend.seconds(stage);

@@ -9,32 +9,43 @@
 
 namespace sluice {
 
-/// Means and extremes over the steps of a run.
+/// What means and extremes are made of. Kept whole in checkpoints, so a change of it is a change of their
+/// format.
+struct RunCounts {
+  uint64_t steps = 0, iterations = 0, not_converged = 0, repeats = 0;
+  uint32_t iterations_max = 0, lost = 0;
+  double compression_sum = 0, compression_max = 0, cfl_max = 0;
+  double dt_min = std::numeric_limits<double>::infinity(), dt_max = 0;
+};
+
+/// Means and extremes over the steps of a run, those before a checkpoint included.
 class RunStatistics {
  public:
+  /// `before` are the steps that led to the checkpoint which the run goes on from.
+  explicit RunStatistics(const RunCounts& before = {}) : counts_(before), before_(before) {}
   void add(const StepReport& report);
 
-  uint64_t steps() const { return steps_; }
-  uint64_t iterations() const { return iterations_; }
-  double iterations_mean() const { return mean(static_cast<double>(iterations_)); }
-  uint32_t iterations_max() const { return iterations_max_; }
-  uint64_t not_converged() const { return not_converged_; }
-  double compression_mean() const { return mean(compression_sum_); }
-  double compression_max() const { return compression_max_; }
-  double cfl_max() const { return cfl_max_; }
-  uint32_t lost() const { return lost_; }
-  double dt_min() const { return dt_min_; }
-  double dt_max() const { return dt_max_; }
+  uint64_t steps() const { return counts_.steps; }
+  uint64_t iterations() const { return counts_.iterations; }
+  double iterations_mean() const { return mean(static_cast<double>(counts_.iterations)); }
+  uint32_t iterations_max() const { return counts_.iterations_max; }
+  uint64_t not_converged() const { return counts_.not_converged; }
+  double compression_mean() const { return mean(counts_.compression_sum); }
+  double compression_max() const { return counts_.compression_max; }
+  double cfl_max() const { return counts_.cfl_max; }
+  uint32_t lost() const { return counts_.lost; }
+  double dt_min() const { return counts_.dt_min; }
+  double dt_max() const { return counts_.dt_max; }
   /// Times an adaptive step was done again with a shorter dt.
-  uint64_t repeats() const { return repeats_; }
+  uint64_t repeats() const { return counts_.repeats; }
+
+  const RunCounts& counts() const { return counts_; }
+  const RunCounts& before() const { return before_; }
 
  private:
-  double mean(double sum) const { return steps_ == 0 ? 0 : sum / static_cast<double>(steps_); }
+  double mean(double sum) const { return steps() == 0 ? 0 : sum / static_cast<double>(steps()); }
 
-  uint64_t steps_ = 0, iterations_ = 0, not_converged_ = 0, repeats_ = 0;
-  uint32_t iterations_max_ = 0, lost_ = 0;
-  double compression_sum_ = 0, compression_max_ = 0, cfl_max_ = 0;
-  double dt_min_ = std::numeric_limits<double>::infinity(), dt_max_ = 0;
+  RunCounts counts_, before_;
 };
 
 struct RunSummary {
@@ -43,7 +54,7 @@ struct RunSummary {
   const Backend& backend;
   const Simulator& simulator;
   const RunStatistics& statistics;
-  double seconds = 0;  ///< wall time of the steps, loading and output excluded
+  double seconds = 0;  ///< wall time of the steps made here, loading and output excluded
 };
 
 /// All of it, settings included; numbers that are not finite become null.

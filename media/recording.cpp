@@ -2,7 +2,6 @@
 #include "media/recording.hpp"
 
 #include <fmt/format.h>
-#include <xxhash.h>
 #include <zstd.h>
 
 #include <cmath>
@@ -11,6 +10,7 @@
 #include "core/error.hpp"
 #include "core/memory.hpp"
 #include "core/scene_file.hpp"
+#include "core/text.hpp"
 #include "core/verdict.hpp"
 #include "media/recording_format.hpp"
 
@@ -18,87 +18,21 @@ namespace sluice {
 namespace {
 
 using namespace recording;
-constexpr size_t preamble_size = magic.size() + 2 * sizeof(uint32_t);
 constexpr size_t tail_size = sizeof(Tail);
 
-/// A file and its name, for messages.
-class Source {
- public:
-  explicit Source(std::filesystem::path path) : path_(std::move(path)), file_(path_, std::ios::binary) {
-    std::error_code error;
-    size_ = std::filesystem::file_size(path_, error);
-    if (std::filesystem::is_directory(path_, error)) refuse("found a folder, expected a recording");
-    if (!std::filesystem::exists(path_, error)) refuse("found no such file, expected a recording");
-    if (!file_ || size_ == no_size) refuse("found a file that can't be read, expected a recording");
-  }
-
-  std::string read(uint64_t offset, uint64_t bytes) {
-    if (bytes > size_ || offset > size_ - bytes) refuse_altered();
-    std::string text(bytes, '\0');
-    file_.clear();
-    file_.seekg(static_cast<std::streamoff>(offset));
-    file_.read(text.data(), static_cast<std::streamsize>(bytes));
-    if (static_cast<uint64_t>(file_.gcount()) != bytes) refuse_altered();
-    return text;
-  }
-
-  uint64_t size() const { return size_; }
-
-  [[noreturn]] void refuse(const std::string& what) const {
-    throw InputError(fmt::format("{}: {}", path_.string(), what));
-  }
-  [[noreturn]] void refuse_altered() const {
-    refuse(
-        "found a recording that was cut off or altered, expected one as `sluice run --record` wrote it; "
-        "copy it again or record the run once more");
-  }
-
- private:
-  std::filesystem::path path_;
-  std::ifstream file_;
-  static constexpr auto no_size = static_cast<uint64_t>(-1);  // as the library has it
-  uint64_t size_ = 0;
-};
-
-/// The first bytes, which say what the file is; returns the size of the header that follows.
-uint32_t read_preamble(Source& source) {
-  const std::string start = source.read(0, std::min<uint64_t>(source.size(), preamble_size));
-  if (!start.starts_with(magic)) {
-    if (start.size() >= magic.size() || !magic.starts_with(start))
-      source.refuse("found another kind of file, expected a recording made by `sluice run --record`");
-    source.refuse_altered();
-  }
-  if (start.size() < preamble_size) source.refuse_altered();
-  const auto found = read_from<uint32_t>(start, magic.size());
-  if (found != format) {
-    source.refuse(fmt::format(
-        "found a recording of format {}, expected format {}; use the version of Sluice that made it", found,
-        format));
-  }
-  return read_from<uint32_t>(start, magic.size() + sizeof(uint32_t));
-}
-
 /// The tail, once it is sure that every byte before it is as it was written.
-Tail checked_tail(Source& source) {
-  if (source.size() < preamble_size + tail_size) source.refuse_altered();
+Tail checked_tail(CheckedFile& source) {
+  if (source.size() < source.header_offset() + tail_size) source.refuse_altered();
   const uint64_t end = source.size() - tail_size;
   const auto tail = read_from<Tail>(source.read(end, tail_size), 0);
   const bool index_fits = tail.frames > 0 && tail.frames <= end / sizeof(IndexEntry) &&
                           tail.index_offset == end - tail.frames * sizeof(IndexEntry);
   if (tail.end != Tail().end || !index_fits) source.refuse_altered();
-  const std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> hash(XXH3_createState(), XXH3_freeState);
-  if (!hash || XXH3_64bits_reset(hash.get()) == XXH_ERROR)
-    throw EnvironmentError("no memory to check a recording");
-  const uint64_t covered = end + 2 * sizeof(uint64_t);
-  for (uint64_t at = 0; at < covered; at += chunk) {
-    const std::string part = source.read(at, std::min<uint64_t>(chunk, covered - at));
-    XXH3_64bits_update(hash.get(), part.data(), part.size());
-  }
-  if (XXH3_64bits_digest(hash.get()) != tail.checksum) source.refuse_altered();
+  if (source.checksum(end + 2 * sizeof(uint64_t)) != tail.checksum) source.refuse_altered();
   return tail;
 }
 
-std::vector<IndexEntry> read_index(Source& source, const Tail& tail) {
+std::vector<IndexEntry> read_index(CheckedFile& source, const Tail& tail) {
   std::vector<IndexEntry> index(tail.frames);
   const std::string bytes = source.read(tail.index_offset, tail.frames * sizeof(IndexEntry));
   std::memcpy(index.data(), bytes.data(), bytes.size());
@@ -139,10 +73,10 @@ void read_by_bytes(std::string_view& bytes, size_t n, Use use) {
 }
 
 template <class Real>
-void read_particles(std::string_view bytes, Snapshot& state) {
+void read_particles(std::string_view bytes, Snapshot& state, Vec2 corner) {
   const size_t n = state.x.size();
-  read_by_bytes<Real>(bytes, n, [&](size_t i, double value) { state.x[i].x = value; });
-  read_by_bytes<Real>(bytes, n, [&](size_t i, double value) { state.x[i].y = value; });
+  read_by_bytes<Real>(bytes, n, [&](size_t i, double value) { state.x[i].x = corner.x + value; });
+  read_by_bytes<Real>(bytes, n, [&](size_t i, double value) { state.x[i].y = corner.y + value; });
   read_by_bytes<Real>(bytes, n, [&](size_t i, double value) { state.v[i].x = value; });
   read_by_bytes<Real>(bytes, n, [&](size_t i, double value) { state.v[i].y = value; });
   read_by_bytes<Real>(bytes, n, [&](size_t i, double value) { state.density[i] = value; });
@@ -152,8 +86,8 @@ void read_particles(std::string_view bytes, Snapshot& state) {
 }  // namespace
 
 struct Recording::State {
-  explicit State(const std::filesystem::path& path) : source(path) {}
-  mutable Source source;
+  explicit State(const std::filesystem::path& path) : source(path, kind) {}
+  mutable CheckedFile source;
   Scene scene;
   Samples samples;
   Precision precision = Precision::single_;
@@ -163,9 +97,10 @@ struct Recording::State {
 Recording::Recording(const std::filesystem::path& path, std::span<const std::string> overrides)
     : state_(std::make_unique<State>(path)) {
   State& state = *state_;
-  const uint32_t header_size = read_preamble(state.source);
+  const uint32_t header_size = state.source.read_preamble();
   state.index = read_index(state.source, checked_tail(state.source));
-  const std::string header = state.source.read(preamble_size, header_size);
+  const std::string header = state.source.read(state.source.header_offset(), header_size);
+  std::string precision;
   try {
     const auto json = nlohmann::json::parse(header);
     auto changes = json.at("overrides").get<std::vector<std::string>>();
@@ -175,13 +110,14 @@ Recording::Recording(const std::filesystem::path& path, std::span<const std::str
                     std::filesystem::path(json.at("file").get<std::string>()).filename().string(), changes);
     require_memory(state.scene, Precision::single_, available_memory());
     state.samples = sample(state.scene);
-    state.precision =
-        json.at("precision").get<std::string>() == "double" ? Precision::double_ : Precision::single_;
+    precision = json.at("precision").get<std::string>();
   } catch (const nlohmann::json::exception&) {
     state.source.refuse_altered();
   } catch (const InputError& error) {
     state.source.refuse(fmt::format("found a scene in it that this version can't read: {}", error.what()));
   }
+  state.precision = precision == name_of(Precision::double_) ? Precision::double_ : Precision::single_;
+  if (precision != name_of(state.precision)) state.source.refuse_altered();
 }
 
 Recording::~Recording() = default;
@@ -212,11 +148,12 @@ Moment Recording::moment(size_t frame) const {
   moment.state.pressure.resize(n);
   const std::string_view particles = std::string_view(plain).substr(sizeof(FrameFacts));
   if (real == sizeof(double)) {
-    read_particles<double>(particles, moment.state);
+    read_particles<double>(particles, moment.state, state.scene.domain_min);
   } else {
-    read_particles<float>(particles, moment.state);
+    read_particles<float>(particles, moment.state, state.scene.domain_min);
   }
-  if (!std::isfinite(facts.time) || !std::isfinite(facts.dt) || !is_finite(moment.state))
+  if (!std::isfinite(facts.time) || !std::isfinite(facts.dt) || !std::isfinite(facts.seconds_per_step) ||
+      !is_finite(moment.state))
     state.source.refuse_altered();
   return moment;
 }

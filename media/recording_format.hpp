@@ -2,23 +2,15 @@
 #pragma once
 
 #include <array>
-#include <bit>
 #include <cstdint>
-#include <cstring>
-#include <span>
-#include <string>
-#include <string_view>
-#include <type_traits>
 
-#include "core/report.hpp"
+#include "media/checked_file.hpp"
 
 namespace sluice::recording {
 
-static_assert(std::endian::native == std::endian::little, "recordings are written as they lie in memory");
-
 inline constexpr std::string_view magic = "sluice recording";
-inline constexpr uint32_t format = 1;
-inline constexpr size_t chunk = size_t{1} << 20;  // bytes read at a time for the checksum
+inline constexpr FileKind kind{magic, 2, "recording", "`sluice run --record`",
+                               "copy it again or record the run once more"};
 
 /// Where a frame is and what it shows.
 struct IndexEntry {
@@ -48,19 +40,7 @@ struct FrameFacts {
   double wall_force_x = 0, wall_force_y = 0;
 };
 
-inline constexpr size_t values_per_particle = 6;  // x, y, vx, vy, density, pressure: an array of each
-
-template <class T>
-std::string_view bytes_of(const T& value) {
-  static_assert(std::is_trivially_copyable_v<T>);
-  return {reinterpret_cast<const char*>(&value), sizeof value};
-}
-
-template <class T>
-T read_from(std::string_view bytes, size_t at) {
-  T value;
-  std::memcpy(&value, bytes.data() + at, sizeof value);
-  return value;
-}
+/// An array of each: x and y from the lower left corner of the domain, vx, vy, density, pressure.
+inline constexpr size_t values_per_particle = 6;
 
 }  // namespace sluice::recording

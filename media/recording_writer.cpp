@@ -1,6 +1,5 @@
 // Moments -> blocks compressed by Zstandard -> file.
 #include <fmt/format.h>
-#include <xxhash.h>
 #include <zstd.h>
 
 #include <nlohmann/json.hpp>
@@ -57,10 +56,10 @@ void append_by_bytes(std::string& out, size_t n, Value value) {
 }
 
 template <class Real>
-void append_particles(std::string& out, const Snapshot& state) {
+void append_particles(std::string& out, const Snapshot& state, Vec2 corner) {
   const size_t n = state.x.size();
-  append_by_bytes<Real>(out, n, [&](size_t i) { return state.x[i].x; });
-  append_by_bytes<Real>(out, n, [&](size_t i) { return state.x[i].y; });
+  append_by_bytes<Real>(out, n, [&](size_t i) { return state.x[i].x - corner.x; });
+  append_by_bytes<Real>(out, n, [&](size_t i) { return state.x[i].y - corner.y; });
   append_by_bytes<Real>(out, n, [&](size_t i) { return state.v[i].x; });
   append_by_bytes<Real>(out, n, [&](size_t i) { return state.v[i].y; });
   append_by_bytes<Real>(out, n, [&](size_t i) { return state.density[i]; });
@@ -70,12 +69,14 @@ void append_particles(std::string& out, const Snapshot& state) {
 }  // namespace
 
 struct RecordingWriter::State {
-  State(const std::filesystem::path& path, Precision kept) : file(path), precision(kept) {}
+  State(const std::filesystem::path& path, Precision kept, Vec2 from)
+      : file(path), precision(kept), corner(from) {}
 
   OutputFile file;
   Precision precision;
+  Vec2 corner;
   uint64_t written = 0;
-  std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> hash{XXH3_createState(), &XXH3_freeState};
+  Checksum checksum;
   std::unique_ptr<ZSTD_CCtx, decltype(&ZSTD_freeCCtx)> packer{ZSTD_createCCtx(), &ZSTD_freeCCtx};
   std::vector<IndexEntry> index;
   std::string plain, packed;  // kept between frames
@@ -83,8 +84,8 @@ struct RecordingWriter::State {
 
 RecordingWriter::RecordingWriter(const std::filesystem::path& path, const Scene& scene, Precision precision,
                                  const std::string& device)
-    : state_(std::make_unique<State>(path, precision)) {
-  if (!state_->hash || !state_->packer || XXH3_64bits_reset(state_->hash.get()) == XXH_ERROR)
+    : state_(std::make_unique<State>(path, precision, scene.domain_min)) {
+  if (!state_->packer)
     throw EnvironmentError(fmt::format("{}: no memory to write a recording", path.string()));
   ZSTD_CCtx_setParameter(state_->packer.get(), ZSTD_c_compressionLevel, compression_level);
   ZSTD_CCtx_setParameter(state_->packer.get(), ZSTD_c_checksumFlag, 1);
@@ -95,17 +96,14 @@ RecordingWriter::RecordingWriter(const std::filesystem::path& path, const Scene&
                                        {"overrides", scene.overrides},
                                        {"text", scene.text}};
   const std::string header = json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
-  write(magic);
-  write(bytes_of(format));
-  write(bytes_of(static_cast<uint32_t>(header.size())));
-  write(header);
+  write(preamble(kind, header));
 }
 
 RecordingWriter::~RecordingWriter() = default;
 RecordingWriter::RecordingWriter(RecordingWriter&&) noexcept = default;
 
 void RecordingWriter::write(std::string_view bytes) {
-  XXH3_64bits_update(state_->hash.get(), bytes.data(), bytes.size());
+  state_->checksum.add(bytes);
   state_->file.write(bytes);
   state_->written += bytes.size();
 }
@@ -118,9 +116,9 @@ void RecordingWriter::add(const StepReport& report, double seconds_per_step, con
   }
   state.plain = bytes_of(facts_of(report, seconds_per_step));
   if (state.precision == Precision::double_) {
-    append_particles<double>(state.plain, particles);
+    append_particles<double>(state.plain, particles, state.corner);
   } else {
-    append_particles<float>(state.plain, particles);
+    append_particles<float>(state.plain, particles, state.corner);
   }
   state.packed.resize(ZSTD_compressBound(state.plain.size()));
   const size_t size = ZSTD_compress2(state.packer.get(), state.packed.data(), state.packed.size(),
@@ -143,7 +141,7 @@ void RecordingWriter::commit() {
   for (const IndexEntry& entry : state.index) write(bytes_of(entry));
   write(bytes_of(tail.index_offset));
   write(bytes_of(tail.frames));
-  tail.checksum = XXH3_64bits_digest(state.hash.get());
+  tail.checksum = state.checksum.value();
   write(bytes_of(tail.checksum));
   write(bytes_of(tail.end));
   state.file.commit();

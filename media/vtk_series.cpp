@@ -6,9 +6,13 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <charconv>
+#include <cmath>
 #include <concepts>
 #include <cstring>
+#include <fstream>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -143,15 +147,34 @@ void write_fluid(const std::filesystem::path& path, double time, const Snapshot&
   write_points(path, points_text<T>(state.x, fields, data, appended), appended);
 }
 
+/// The time in a file that write_fluid made; none where there is no such file.
+std::optional<double> time_in(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string text(1024, '\0');
+  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<size_t>(std::max<std::streamsize>(file.gcount(), 0)));
+  const size_t name = text.find("Name=\"TimeValue\""), start = text.find('>', name);
+  if (name == text.npos || start == text.npos) return std::nullopt;
+  double time = 0;
+  const auto [rest, error] = std::from_chars(text.data() + start + 1, text.data() + text.size(), time);
+  if (error != std::errc() || !std::isfinite(time)) return std::nullopt;
+  return time;
+}
+
 }  // namespace
 
-VtkSeries::VtkSeries(std::filesystem::path folder, std::span<const Vec2> boundary, Precision precision)
-    : folder_(std::move(folder)), precision_(precision), has_boundary_(!boundary.empty()) {
+VtkSeries::VtkSeries(std::filesystem::path folder, std::span<const Vec2> boundary, Precision precision,
+                     uint64_t first, double until)
+    : folder_(std::move(folder)), precision_(precision), has_boundary_(!boundary.empty()), first_(first) {
   std::error_code error;
   std::filesystem::create_directories(folder_, error);
   if (error) {
     throw EnvironmentError(fmt::format("{}: the folder can't be created: {}; choose another",
                                        folder_.string(), error.message()));
+  }
+  for (uint64_t k = 0; k < first_; ++k) {
+    if (const auto time = time_in(folder_ / file_name(k)); time && *time <= until)
+      earlier_.emplace_back(k, *time);
   }
   if (!has_boundary_) return;
   const auto write = precision == Precision::single_ ? write_boundary<float> : write_boundary<double>;
@@ -161,18 +184,20 @@ VtkSeries::VtkSeries(std::filesystem::path folder, std::span<const Vec2> boundar
 void VtkSeries::add(double time, const Snapshot& state) {
   if (finished_) throw Error(fmt::format("{}: added to after it was finished", folder_.string()));
   const auto write = precision_ == Precision::single_ ? write_fluid<float> : write_fluid<double>;
-  write(folder_ / file_name(count()), time, state);
+  write(folder_ / file_name(first_ + count()), time, state);
   times_.push_back(time);
 }
 
 void VtkSeries::finish() {
   if (finished_) return;
   std::string text = head("Collection", "1.0");
-  for (size_t k = 0; k < times_.size(); ++k) {
+  const auto list = [&](uint64_t k, double time) {
     constexpr const char* line = "    <DataSet timestep=\"{:.17g}\" part=\"{}\" name=\"{}\" file=\"{}\"/>\n";
-    text += fmt::format(line, times_[k], 0, "fluid", file_name(k));
-    if (has_boundary_) text += fmt::format(line, times_[k], 1, "boundary", "boundary.vtp");
-  }
+    text += fmt::format(line, time, 0, "fluid", file_name(k));
+    if (has_boundary_) text += fmt::format(line, time, 1, "boundary", "boundary.vtp");
+  };
+  for (const auto& [k, time] : earlier_) list(k, time);
+  for (size_t k = 0; k < times_.size(); ++k) list(first_ + k, times_[k]);
   text += "  </Collection>\n</VTKFile>\n";
   write_file(folder_ / "fluid.pvd", text);
   finished_ = true;
@@ -180,7 +205,7 @@ void VtkSeries::finish() {
 
 uint64_t VtkSeries::older_files() const {
   uint64_t older = 0;
-  for (uint64_t k = count(); std::filesystem::exists(folder_ / file_name(k)); ++k) ++older;
+  for (uint64_t k = first_ + count(); std::filesystem::exists(folder_ / file_name(k)); ++k) ++older;
   return older;
 }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/backend.hpp"
@@ -16,8 +17,10 @@ namespace sluice {
 class VtkSeries {
  public:
   /// Creates the folder and writes boundary.vtp, if there is a boundary. Numbers take four bytes in single
-  /// precision, eight in double.
-  VtkSeries(std::filesystem::path folder, std::span<const Vec2> boundary, Precision precision);
+  /// precision, eight in double. A run that goes on begins with file `first`; of those before it fluid.pvd
+  /// lists what is there, up to the time `until`.
+  VtkSeries(std::filesystem::path folder, std::span<const Vec2> boundary, Precision precision,
+            uint64_t first = 0, double until = 0);
 
   /// Writes the next file: position, velocity, density, pressure and id of every particle.
   void add(double time, const Snapshot& state);
@@ -35,6 +38,8 @@ class VtkSeries {
   Precision precision_;
   bool has_boundary_;
   bool finished_ = false;
+  std::vector<std::pair<uint64_t, double>> earlier_;  // number and time
+  uint64_t first_;
   std::vector<double> times_;
 };
 

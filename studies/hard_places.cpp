@@ -20,12 +20,12 @@ void add_distances(HardCases& cases) {
   for (const Method& method : {iisph(), ssph(7e5)}) {
     SceneParts here = dam("Dam", method);
     here.time = fixed(method.suffix == "ssph" ? 0.01 : 0.04, 10);
-    for (const double away : {1e4, 1e6}) {
-      SceneParts there = dam("Dam far away", method, 400, Vec2(away * h, -away * h));
+    for (const uint32_t away : {10000u, 1000000u}) {
+      SceneParts there = dam("Dam far away", method, 400, away * Vec2(h, -h));
       there.time = here.time;
-      HardCase& hard = cases.add(fmt::format("dam_moved_by_{:g}_h", away), there);
+      HardCase& hard = cases.add(fmt::format("dam_moved_by_{}_h", away), there);
       hard.same_as = scene_text(here);
-      hard.quick = method.suffix == "iisph" && away == 1e6;
+      hard.quick = method.suffix == "iisph" && away == 1000000;
     }
   }
 }

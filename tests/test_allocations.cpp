@@ -50,6 +50,20 @@ TEST(Allocations, StepsAfterTheFirstMakeNone) {
   }
 }
 
+// Of a block that hits the floor, so that steps change and some are repeated.
+TEST(Allocations, AdaptiveStepsMakeNoneEither) {
+  Simulation simulation(shipped(
+      "breaking_dam",
+      {"time.cfl=0.8", "time.dt_min=1e-4", "time.dt_max=0.1", "pressure.iisph.solver=barzilai-borwein",
+       "fluid.rect=[{min=[\"3h\",\"20h\"],count=[22,12],velocity=[0,-150]}]"}));
+  simulation.simulator->step();
+  const uint64_t before = allocations;
+  uint32_t repeats = 0;
+  for (int step = 0; step < 60; ++step) repeats += simulation.simulator->step().repeats;
+  EXPECT_EQ(allocations.load(), before);
+  EXPECT_GT(repeats, 0u);
+}
+
 TEST(Allocations, BackendTakesWhatWasForeseen) {
   for (const char* name : {"leaking_dam", "falling_from_platform"}) {
     for (const char* method : {"iisph", "ssph", "wcsph"}) {

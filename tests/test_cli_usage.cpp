@@ -53,16 +53,6 @@ TEST(CliUsage, WordsThatMeanNothingAreRefused) {
   EXPECT_TRUE(has(refusal({"info", "breaking_dam", "more"}), "more"));
 }
 
-TEST(CliUsage, WhatIsNotBuiltYetSaysSo) {
-  for (const Words& option :
-       {Words{"--checkpoint", "a.ckp"}, {"--checkpoint-every", "5"}, {"--resume", "a.ckp"}}) {
-    Words words{"run", "breaking_dam", "--steps", "1", "--state", "s.csv", "--frames", "f"};
-    words.insert(words.end(), option.begin(), option.end());
-    const std::string message = refusal(words);
-    EXPECT_TRUE(has(message, "not available yet") && has(message, option[0])) << message;
-  }
-}
-
 TEST(CliUsage, ResultsAreOnStandardOutputMessagesOnStandardError) {
   const TemporaryFolder folder;
   const ProgramResult chosen =

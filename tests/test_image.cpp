@@ -104,6 +104,18 @@ TEST_F(PngWriterTest, TheDestructorWritesWhatWaits) {
   for (uint32_t k = 0; k < 3; ++k) EXPECT_EQ(decode(read(folder / std::to_string(k))).width, 30u);
 }
 
+TEST_F(PngWriterTest, FlushWaitsForWhatWasGivenAndGoesOn) {
+  sluice::PngWriter writer;
+  for (uint32_t k = 0; k < 6; ++k) {
+    writer.write(folder / std::to_string(k), pattern(300, 200, k));
+    if (k % 2 == 0) continue;
+    writer.flush();
+    EXPECT_EQ(decode(read(folder / std::to_string(k))).width, 300u);
+  }
+  writer.write(folder / "missing" / "a.png", pattern(2, 2, 1));
+  EXPECT_THROW(writer.flush(), sluice::EnvironmentError);
+}
+
 TEST_F(PngWriterTest, AFailureReachesFinish) {
   sluice::PngWriter writer;
   writer.write(folder / "missing" / "a.png", pattern(2, 2, 1));

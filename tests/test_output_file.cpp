@@ -12,6 +12,7 @@
 
 #include "core/error.hpp"
 #include "core/output_file.hpp"
+#include "tests/support/synced.hpp"
 
 namespace {
 
@@ -169,6 +170,31 @@ TEST_F(OutputFileTest, AnOpenDescriptorGoesOnWhereItIs) {
   close(descriptor);
   EXPECT_EQ(read(log), "before between after");
   EXPECT_TRUE(contains(message_of("/dev/fd/" + std::to_string(descriptor)), "Bad file descriptor"));
+}
+
+TEST_F(OutputFileTest, IsOnTheDiskBeforeItHasItsNameAndItsNameIsToo) {
+  const sluice::test::SyncListener listener(folder / "a");
+  OutputFile file(folder / "a");
+  const fs::path temporary = file.temporary();
+  file.write("bytes");
+  file.commit_to_disk();
+  const auto& found = listener.heard;
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_EQ(found[0].path, temporary);
+  EXPECT_FALSE(found[0].named);
+  EXPECT_EQ(found[1].path, folder);
+  EXPECT_TRUE(found[1].named);
+  EXPECT_EQ(read(folder / "a"), "bytes");
+  EXPECT_EQ(files(), 1u);
+}
+
+TEST_F(OutputFileTest, WhatHasNoDiskHasNothingToWaitFor) {
+  OutputFile nothing("/dev/null");
+  nothing.write("bytes");
+  EXPECT_NO_THROW(nothing.commit_to_disk());
+  OutputFile full("/dev/full");
+  full.write("bytes");
+  EXPECT_THROW(full.commit_to_disk(), EnvironmentError);
 }
 
 }  // namespace

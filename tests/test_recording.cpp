@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <xxhash.h>
 
+#include <array>
 #include <fstream>
 #include <limits>
 
@@ -107,9 +108,11 @@ TEST(Recording, NumbersThatAreNotFiniteAreRefused) {
   const TemporaryFolder folder;
   Recorded written(folder / "a.rec", "inclined_plane", 1);
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  for (const int which : {0, 1, 2}) {
+  for (const int which : {0, 1, 2, 3}) {
     Moment moment = written.moments[1];
-    (which == 0 ? moment.state.x[7].y : which == 1 ? moment.state.pressure[0] : moment.report.dt) = nan;
+    const std::array<double*, 4> places{&moment.state.x[7].y, &moment.state.pressure[0], &moment.report.dt,
+                                        &moment.seconds_per_step};
+    *places[static_cast<size_t>(which)] = nan;
     RecordingWriter writer(folder / "b.rec", written.scene, Precision::single_, "a test");
     add(writer, moment);
     writer.commit();
@@ -142,6 +145,14 @@ std::string refusal_of(const std::filesystem::path& path) {
 
 void write(const std::filesystem::path& path, const std::string& bytes) {
   std::ofstream(path, std::ios::binary) << bytes;
+}
+
+/// The bytes with the checksum that they should have.
+std::string sealed(std::string bytes) {
+  const size_t place = bytes.size() - 16;
+  const uint64_t checksum = XXH3_64bits(bytes.data(), place);
+  bytes.replace(place, 8, reinterpret_cast<const char*>(&checksum), 8);
+  return bytes;
 }
 
 class DamagedRecording : public testing::Test {
@@ -178,9 +189,9 @@ TEST_F(DamagedRecording, IsRefusedWhereverAByteWasAltered) {
 
 TEST_F(DamagedRecording, OfALaterFormatNamesIt) {
   std::string later = bytes;
-  later[16] = 2;  // behind the 16 bytes that say what the file is
+  later[16] = 3;  // behind the 16 bytes that say what the file is
   EXPECT_EQ(refusal(later),
-            "found a recording of format 2, expected format 1; use the version of Sluice that made it");
+            "found a recording of format 3, expected format 2; use the version of Sluice that made it");
 }
 
 TEST_F(DamagedRecording, AnotherKindOfFileIsNamedSo) {
@@ -212,14 +223,29 @@ TEST_F(DamagedRecording, NumbersThatLieAreRefusedEvenWithTheRightChecksum) {
     std::string changed = bytes;
     changed.replace(place, place == 20 ? 4 : 8, reinterpret_cast<const char*>(&huge), place == 20 ? 4 : 8);
     if (place == 20) changed[23] = '\x7f';  // the size of the header
-    const uint64_t checksum = XXH3_64bits(changed.data(), tail + 16);
-    changed.replace(tail + 16, 8, reinterpret_cast<const char*>(&checksum), 8);
-    EXPECT_TRUE(refusal(changed).starts_with("found a recording that was cut off or altered")) << place;
+    EXPECT_TRUE(refusal(sealed(changed)).starts_with("found a recording that was cut off or altered"))
+        << place;
   }
-  std::string same = bytes;
-  const uint64_t checksum = XXH3_64bits(same.data(), tail + 16);
-  same.replace(tail + 16, 8, reinterpret_cast<const char*>(&checksum), 8);
-  EXPECT_EQ(refusal(same), "accepted") << "the checksum is worked out as the writer does";
+  EXPECT_EQ(refusal(sealed(bytes)), "accepted") << "the checksum is worked out as the writer does";
+}
+
+TEST_F(DamagedRecording, APrecisionThatThereIsNotIsRefused) {
+  const std::string precision = "\"precision\": \"float\"";
+  std::string changed = bytes;
+  changed.replace(changed.find(precision), precision.size(), "\"precision\": \"fl0at\"");
+  EXPECT_TRUE(refusal(sealed(changed)).starts_with("found a recording that was cut off or altered"));
+}
+
+/// The message stays one line whatever the scene's name is.
+TEST_F(DamagedRecording, ALineBreakInTheNameOfTheSceneStaysOutOfTheMessage) {
+  Scene strange = written.scene;
+  strange.file = "a\nb.toml";
+  strange.text = "a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a = 1";
+  RecordingWriter writer(folder / "strange.rec", strange, Precision::single_, "a test");
+  add(writer, written.moments[0]);
+  writer.commit();
+  EXPECT_NE(refusal_of(folder / "strange.rec").find(": a b.toml:1:32: "), std::string::npos)
+      << refusal_of(folder / "strange.rec");
 }
 
 TEST_F(DamagedRecording, OneThatChangesWhileItIsOpenIsRefusedToo) {

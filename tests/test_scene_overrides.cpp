@@ -126,14 +126,24 @@ TEST(SceneOverrides, SettingTheTimeStepRemovesEveryMethodsOwn) {
 }
 
 TEST(SceneOverrides, OfTimeStepAndCflTheLaterWins) {
-  const std::string cfl =
-      "--set time.cfl: time.cfl: found 0.4, which is not available yet, expected no such key";
-  EXPECT_EQ(refusal_of({"time.cfl=0.4", "time.dt_min=1e-3", "time.dt_max=1"}), cfl);
-  EXPECT_EQ(refusal_of({"time.dt_max=1", "time.dt_min=1e-3", "time.dt=0.02", "time.cfl=0.4"}), cfl);
+  for (const Overrides& order :
+       {Overrides{"time.cfl=0.4", "time.dt_min=1e-3", "time.dt_max=1"},
+        Overrides{"time.dt_max=1", "time.dt_min=1e-3", "time.dt=0.02", "time.cfl=0.4"}}) {
+    const Scene scene = with(order);
+    ASSERT_TRUE(scene.adaptive);
+    EXPECT_EQ(scene.adaptive->cfl, 0.4);
+    EXPECT_EQ(scene.adaptive->dt_min, 1e-3);
+    EXPECT_EQ(scene.adaptive->dt_max, 1);
+    EXPECT_FALSE(scene.settings["time"].contains("dt"));
+    EXPECT_EQ(scene.settings["time"]["cfl"], 0.4);
+  }
+  EXPECT_FALSE(with({}).adaptive);
   for (const Overrides& order :
        {Overrides{"time.cfl=0.4", "time.dt_min=1e-3", "time.dt_max=1", "time.dt=0.02"},
-        Overrides{"time.cfl=0.4", "time.dt=0.02", "time.dt_min=1e-3", "time.dt_max=1"}})
+        Overrides{"time.cfl=0.4", "time.dt=0.02", "time.dt_min=1e-3", "time.dt_max=1"}}) {
     EXPECT_EQ(with(order).dt, 0.02);
+    EXPECT_FALSE(with(order).adaptive);
+  }
   EXPECT_EQ(refusal_of({"time={cfl=0.4, dt=0.1, duration=1}"}),
             "--set time: time.cfl: found 0.4 together with time.dt, expected one of the two");
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/scene_file.hpp"
+#include "tests/support/message_of.hpp"
 
 namespace sluice {
 namespace {
@@ -290,6 +291,10 @@ TEST(SceneRefusals, Contradictions) {
       {18, "max = [400, 600]\n[[boundary.polygon]]\npoints = [[0, 0], [1, 1], [9, 9], [3, 3]]",
        "t.toml:20:10: boundary.polygon.0.points: found points on one line, expected corners that enclose an "
        "area"},
+      {13, "max = [40, 40]\n[[fluid.polygon]]\npoints = [[64, 24], [99, 99], [99, 24], [64, 99]]",
+       "t.toml:15:10: fluid.polygon.0.points: found corners with edges that cross, around nothing on "
+       "balance, "
+       "expected corners in order around an area"},
       {25, "min_iterations = 5\nmax_iterations = 4",
        "t.toml:25:18: pressure.iisph.min_iterations: found 5, expected at most max_iterations, which is 4"},
       {25, "max_iterations = 1",
@@ -326,11 +331,14 @@ TEST(SceneRefusals, TooManyToNumber) {
   });
 }
 
-TEST(SceneRefusals, NotAvailableYet) {
+TEST(SceneRefusals, AdaptiveStepsNeedTheirBounds) {
   expect_refusals({
-      {32, "cfl = 0.4\ndt_min = 0.001\ndt_max = 0.1",
-       "t.toml:32:7: time.cfl: found 0.4, which is not available yet, expected no such key"},
-      {32, "cfl = 0.4", "t.toml:32:7: time.cfl: found 0.4, which is not available yet, expected no such key"},
+      {32, "cfl = 0.4",
+       "t.toml:31:1: time.dt_min: found nothing, expected a number greater than 0, as time.cfl is set"},
+      {32, "cfl = 0.4\ndt_min = 0.1",
+       "t.toml:31:1: time.dt_max: found nothing, expected a number greater than 0, as time.cfl is set"},
+      {32, "cfl = 0\ndt_min = 0.1\ndt_max = 1",
+       "t.toml:32:7: time.cfl: found 0, expected a number greater than 0"},
   });
 }
 
@@ -415,6 +423,11 @@ TEST(SceneRefusals, EveryMessageIsOneLine) {
   std::string message = refusal_of(scene_with(15, "model = \"a\\nb\\tc" + std::string(100, 'x') + "\""));
   EXPECT_EQ(message, "t.toml:15:9: boundary.model: found \"a b c" + std::string(55, 'x') +
                          "...\", expected \"mirror\" or \"akinci\"");
+  const auto message_in = [](const std::string& text) {
+    return test::message_of<InputError>([&] { parse_scene(text, "a\nb.toml"); });
+  };
+  EXPECT_EQ(message_in("x = \xff"), "a b.toml:1:5: found bytes that are not UTF-8, expected TOML text");
+  EXPECT_TRUE(message_in("x = [").starts_with("a b.toml:1:6: ")) << message_in("x = [");
 }
 
 }  // namespace

@@ -71,7 +71,11 @@ void expect_plain_lists(const std::vector<Vec2>& positions, int threads) {
       index.push_back(j);
       gradients.push_back(dW);
       const Vec<Real> x_ij = state.x[i] - state.x[j];
-      expected.push_back(cpu::kernel_gradient(state.params, x_ij, glm::length(x_ij)));
+      const Real r = glm::length(x_ij);
+      const Vec<Real> parting = state.params.parting_gradient;
+      expected.push_back(r >= state.params.coincidence ? cpu::kernel_gradient(state.params, x_ij, r)
+                         : state.id[i] > state.id[j]   ? parting
+                                                       : -parting);
     });
     ASSERT_EQ(index, neighbours_of(state, i)) << i;
     ASSERT_TRUE(same_bits(gradients, expected)) << i;

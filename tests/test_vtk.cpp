@@ -192,6 +192,27 @@ TEST(Vtk, CountsTheFilesOfALongerRunBefore) {
   EXPECT_EQ(read_file(folder / "fluid.pvd").find("fluid_000002"), std::string::npos);
 }
 
+TEST(Vtk, ARunThatGoesOnListsWhatIsThereOfTheFirstPart) {
+  const TemporaryFolder folder;
+  VtkSeries first(folder.path, {}, Precision::single_);
+  for (const double time : {0.0, 0.1, 0.2, 0.3, 7.0}) first.add(time, some_state(2));
+  fs::remove(folder / "fluid_000001.vtp");
+  write_file(folder / "fluid_000002.vtp", "of another program");
+  // The fourth is of this run, the fifth of one whose frames came later.
+  VtkSeries second(folder.path, {}, Precision::single_, 6, 0.5);
+  second.add(0.6, some_state(2));
+  EXPECT_EQ(second.count(), 1u);
+  second.finish();
+  const std::string list = read_file(folder / "fluid.pvd");
+  for (const char* there : {"fluid_000000", "fluid_000003", "fluid_000006"})
+    EXPECT_NE(list.find(there), std::string::npos) << there << list;
+  for (const char* left_out : {"fluid_000001", "fluid_000002", "fluid_000004", "fluid_000005"})
+    EXPECT_EQ(list.find(left_out), std::string::npos) << left_out << list;
+  EXPECT_NE(list.find("timestep=\"0.29999999999999999\" part=\"0\" name=\"fluid\" file=\"fluid_000003.vtp\""),
+            std::string::npos)
+      << list;
+}
+
 TEST(Vtk, AFolderThatCannotBeIsReported) {
   const TemporaryFolder folder;
   write_file(folder / "file", "x");

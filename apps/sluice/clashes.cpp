@@ -16,8 +16,8 @@ void refuse_clashes(const std::vector<NamedFile>& files) {
     if (!path) continue;
     const std::filesystem::file_status status = std::filesystem::status(*path, error);
     if (exists(status) && !is_regular_file(status) && !is_directory(status)) continue;  // /dev/stdout
-    // A folder may be named with a slash at its end.
-    const auto place = std::filesystem::weakly_canonical(*path / "", error).parent_path();
+    auto place = std::filesystem::weakly_canonical(std::filesystem::absolute(*path), error);
+    if (!place.has_filename()) place = place.parent_path();  // a folder may be named with a slash at its end
     const auto [other, fresh] = taken.try_emplace(place, what);
     if (fresh) continue;
     throw InputError(fmt::format("{}: found {}, which is {} too, expected a place of its own", what,

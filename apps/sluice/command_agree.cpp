@@ -11,6 +11,7 @@
 #include "core/output_file.hpp"
 #include "core/scene_file.hpp"
 #include "cpu/backend.hpp"
+#include "media/checkpoint.hpp"
 #include "media/recording.hpp"
 
 namespace sluice {
@@ -116,6 +117,7 @@ nlohmann::ordered_json to_json(const Agreement& agreement, const std::string& sc
 
 int agree_command(const AgreeOptions& options) {
   refuse_recording(options.scene);
+  refuse_checkpoint(options.scene);
   const Scene scene = load_scene(options.scene, options.overrides);
   const Plan plan = make_plan(needs_of(scene));
   const Stage split = options.split ? stage_named(*options.split, plan) : Stage::count;

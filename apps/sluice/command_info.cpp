@@ -11,6 +11,7 @@
 #include "core/text.hpp"
 #include "cpu/backend.hpp"
 #include "gpu/context.hpp"
+#include "media/checkpoint.hpp"
 #include "media/recording.hpp"
 
 namespace sluice {
@@ -35,6 +36,7 @@ void print_stages(std::string_view title, const std::vector<Stage>& stages) {
 
 void print_scene(const std::string& name, const std::vector<std::string>& overrides) {
   refuse_recording(name);
+  refuse_checkpoint(name);
   const Scene scene = load_scene(name, overrides);
   require_memory(scene, Precision::double_, available_memory());
   const Samples samples = sample(scene);

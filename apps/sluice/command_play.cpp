@@ -9,6 +9,7 @@
 #include "apps/sluice/play_scene.hpp"
 #include "core/error.hpp"
 #include "core/scene_file.hpp"
+#include "media/checkpoint.hpp"
 
 namespace sluice {
 namespace {
@@ -39,6 +40,7 @@ int play_recording(const PlayOptions& options) {
 int play_command(const PlayOptions& options) {
   if (!options.source.empty() && is_recording(options.source)) return play_recording(options);
   glm::uvec2 size = menu_size;
+  if (!options.source.empty()) refuse_checkpoint(options.source);
   if (!options.source.empty()) {  // a scene that can't be read needs no window to say so
     const Scene scene = load_choice({options.source, options.overrides, std::nullopt});
     size = scene.image_size;

@@ -1,11 +1,13 @@
 // `sluice run`: simulates a scene and writes what was asked for.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <limits>
 
+#include "apps/sluice/checkpoints.hpp"
 #include "apps/sluice/clashes.hpp"
 #include "apps/sluice/commands.hpp"
 #include "apps/sluice/frames.hpp"
@@ -17,7 +19,6 @@
 #include "core/error.hpp"
 #include "core/frame_clock.hpp"
 #include "core/memory.hpp"
-#include "core/scene_file.hpp"
 #include "core/series.hpp"
 #include "core/simulator.hpp"
 #include "core/state_file.hpp"
@@ -40,9 +41,6 @@ struct RunEnd {
   bool at_time() const { return std::isfinite(time); }
   /// The time it is reached at, or if steps adapt the latest.
   double latest(double dt) const { return at_time() ? time : static_cast<double>(steps) * dt; }
-  std::string text() const {
-    return at_time() ? fmt::format("time {:g}", time) : fmt::format("step {}", steps);
-  }
 };
 
 RunEnd end_of(const RunOptions& options, const Scene& scene) {
@@ -59,8 +57,9 @@ RunEnd end_of(const RunOptions& options, const Scene& scene) {
   return {.steps = static_cast<uint64_t>(steps)};
 }
 
-void limit_frames(const RunOptions& options, const Scene& scene, const RunEnd& end) {
-  const double frames = std::floor((end.latest(scene.dt) + FrameClock::slack) * scene.fps) + 1;
+/// Of a run up to this time.
+void limit_frames(const RunOptions& options, const Scene& scene, double time) {
+  const double frames = std::floor((time + FrameClock::slack) * scene.fps) + 1;
   if (!options.frames.any() || frames <= most_frames) return;
   throw InputError(
       fmt::format("{}: output.fps: found {:g}, which makes {:.3g} frames, expected at most {:g}; use a "
@@ -68,11 +67,26 @@ void limit_frames(const RunOptions& options, const Scene& scene, const RunEnd& e
                   scene.file, scene.fps, frames, most_frames));
 }
 
+/// None may be another one or what is read, but that a checkpoint may take the place of the one before it.
+void refuse_clashing_places(const RunOptions& options, const Scene& scene) {
+  std::vector<NamedFile> files{{"--state", options.state},        {"--series", options.series},
+                               {"--summary", options.summary},    {"--record", options.frames.record},
+                               {"--video", options.frames.video}, {"--frames", options.frames.frames},
+                               {"--vtk", options.frames.vtk}};
+  if (options.scene) files.insert(files.begin(), {"the scene", scene.file});
+  files.insert(files.begin(), {"--resume", options.resume});
+  refuse_clashes(files);
+  files.front() = {"--checkpoint", options.checkpoint};
+  refuse_clashes(files);
+}
+
 /// The files of a run. All are opened before the first step, so that a folder that is not there is known at
 /// once.
 class Outputs {
  public:
-  Outputs(const RunOptions& options, const Scene& scene, const Samples& samples, Machine& machine)
+  /// Frames that were due before the checkpoint `from` are not made again.
+  Outputs(const RunOptions& options, const Scene& scene, const Samples& samples, Machine& machine,
+          const std::optional<Checkpoint>& from)
       : precision_(machine.backend().precision()),
         takes_frames_(options.frames.any()),
         clock_(scene.fps),
@@ -80,8 +94,11 @@ class Outputs {
     if (options.state) state_.emplace(*options.state);
     if (options.summary) summary_.emplace(*options.summary);
     if (options.series) series_.emplace(*options.series, precision_);
-    frames_.emplace(options.frames, scene, samples, precision_, machine.backend().device(),
-                    [&]() -> const gpu::Context& { return machine.context(); });
+    FramesBefore before;
+    if (from && takes_frames_) before = {clock_.advance(from->state.clock.time()), from->state.clock.time()};
+    frames_.emplace(
+        options.frames, scene, samples, precision_, machine.backend().device(),
+        [&]() -> const gpu::Context& { return machine.context(); }, before);
   }
 
   void add(const Simulator& simulator, const StepReport& report, double seconds_per_step) {
@@ -93,6 +110,9 @@ class Outputs {
       frames_->add(report, seconds_per_step, state);
   }
 
+  /// Returns when what a run that goes on does not make again is on the disk.
+  void flush() { frames_->flush(); }
+
   /// Saves the rows and frames of a run that is about to fail for another reason, which is the news.
   void save() noexcept {
     Attempts attempt;
@@ -101,8 +121,9 @@ class Outputs {
   }
 
   /// Everything that can be written is, though one fails.
-  void finish(const RunSummary& summary) {
+  void finish(const RunSummary& summary, Checkpoints& checkpoints) {
     Attempts attempt;
+    attempt([&] { checkpoints.write(summary.simulator, summary.statistics); });
     if (series_) attempt([&] { series_->commit(); });
     if (state_) attempt([&] { write_state(*state_, summary.simulator.snapshot(), precision_); });
     if (summary_) attempt([&] { write_summary(summary); });
@@ -127,18 +148,31 @@ class Outputs {
   std::optional<FrameOutputs> frames_;
 };
 
-void simulate(Simulator& simulator, const RunEnd& end, Outputs& outputs, Progress& progress,
-              RunStatistics& statistics, double& seconds) {
+void add_start(const Simulator& simulator, Outputs& outputs) {
   StepReport start;
   start.dt = simulator.dt();
   outputs.add(simulator, start, 0);
+}
+
+void simulate(Simulator& simulator, const RunEnd& end, Outputs& outputs, Checkpoints& checkpoints,
+              Progress& progress, RunStatistics& statistics, double& seconds) {
+  const auto save = [&] {
+    outputs.flush();
+    checkpoints.write(simulator, statistics);
+  };
   while (!end.reached(simulator) && !simulator.failure() && !interrupted()) {
+    // The last steps of a run that ends at a time are shorter than those of one that goes on.
+    if (checkpoints.wanted() && simulator.is_cut_short(end.time)) {
+      save();
+      checkpoints.hold();
+    }
     const Clock::time_point before = Clock::now();
     const StepReport report = simulator.step(end.time);
     const double step_seconds = std::chrono::duration<double>(Clock::now() - before).count();
     seconds += step_seconds;
     statistics.add(report);
     outputs.add(simulator, report, step_seconds);
+    if (checkpoints.due(report.time)) save();
     progress.show(report.step, report, statistics.not_converged());
   }
 }
@@ -152,10 +186,10 @@ int report_end(const RunSummary& summary, const RunEnd& end, bool quiet) {
   }
   warn_of_poor_run(summary.scene, summary.statistics, quiet);
   if (interrupted()) {
-    fmt::print(stderr,
-               "sluice: interrupted after step {}, time {:g}, before {}; what was asked for is written up to "
-               "there\n",
-               summary.simulator.steps(), summary.simulator.time(), end.text());
+    const std::string where = end.at_time()
+                                  ? fmt::format("at time {:g} of {:g}", summary.simulator.time(), end.time)
+                                  : fmt::format("after step {} of {}", summary.simulator.steps(), end.steps);
+    fmt::print(stderr, "sluice: interrupted {}; what was asked for is written up to there\n", where);
   }
   return 0;
 }
@@ -163,18 +197,11 @@ int report_end(const RunSummary& summary, const RunEnd& end, bool quiet) {
 }  // namespace
 
 int run_command(const RunOptions& options) {
-  refuse_recording(options.scene);
-  const Scene scene = load_scene(options.scene, options.overrides);
+  std::optional<Checkpoint> from = checkpoint_to_resume(options);
+  const Scene scene = scene_to_run(options, from);
   const RunEnd end = end_of(options, scene);
-  limit_frames(options, scene, end);
-  refuse_clashes({{"the scene", scene.file},
-                  {"--state", options.state},
-                  {"--series", options.series},
-                  {"--summary", options.summary},
-                  {"--record", options.frames.record},
-                  {"--video", options.frames.video},
-                  {"--frames", options.frames.frames},
-                  {"--vtk", options.frames.vtk}});
+  limit_frames(options, scene, std::max(end.latest(scene.dt), from ? from->state.clock.time() : 0));
+  refuse_clashing_places(options, scene);
   require_memory(scene, options.machine.precision, available_memory(), memory_factor(options.machine));
   const Samples samples = sample(scene);
   Machine machine(options.machine, samples.fluid.size());
@@ -186,22 +213,28 @@ int run_command(const RunOptions& options) {
     warn(options.quiet, "--speed has no effect without --video");
   for (const std::string& limit : beyond_limits(scene, samples)) warn(options.quiet, limit);
 
-  Simulator simulator(scene, samples, machine.backend());  // may refuse the scene: then nothing is written
-  note_interrupts();                                       // from here on there is something to finish
-  Outputs outputs(options, scene, samples, machine);
-  RunStatistics statistics;
+  // May refuse the scene: then nothing is written.
+  Simulator simulator = make_simulator(options, scene, samples, machine.backend(), from);
+  if (from) from->state = {from->state.clock, {}, {}, {}, {}, {}};  // the rest is in the backend now
+  note_interrupts();  // from here on there is something to finish
+  Outputs outputs(options, scene, samples, machine, from);
+  Checkpoints checkpoints(options, scene, machine.backend(), simulator.time());
+  RunStatistics statistics(from ? from->counts : RunCounts());
   RunSummary summary{scene, samples, machine.backend(), simulator, statistics};
   {
-    Progress progress(end.at_time() ? 0 : end.steps, end.latest(scene.dt), "steps", options.quiet);
+    Progress progress(end.at_time() ? 0 : end.steps, end.latest(scene.dt), "steps", options.quiet,
+                      simulator.steps(), simulator.time());
     try {
-      simulate(simulator, end, outputs, progress, statistics, summary.seconds);
+      if (!from) add_start(simulator, outputs);
+      simulate(simulator, end, outputs, checkpoints, progress, statistics, summary.seconds);
     } catch (const Error&) {
       outputs.save();
       throw;
     }
   }
-  outputs.finish(summary);
+  outputs.finish(summary, checkpoints);
   const int code = report_end(summary, end, options.quiet);
+  if (simulator.failure()) checkpoints.tell_of_last();
   outputs.tell_of_frames(options.quiet);
   return code;
 }

@@ -18,7 +18,8 @@ std::string frame_name(uint64_t k) { return fmt::format("frame_{:06}.png", k); }
 
 }  // namespace
 
-PictureFolder::PictureFolder(const std::filesystem::path& folder) : folder_(folder) {
+PictureFolder::PictureFolder(const std::filesystem::path& folder, uint64_t first)
+    : folder_(folder), first_(first), next_(first) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) {
@@ -27,25 +28,27 @@ PictureFolder::PictureFolder(const std::filesystem::path& folder) : folder_(fold
   }
 }
 
-void PictureFolder::write(Image image) { writer_.write(folder_ / frame_name(count_++), std::move(image)); }
+void PictureFolder::write(Image image) { writer_.write(folder_ / frame_name(next_++), std::move(image)); }
+
+void PictureFolder::flush() { writer_.flush(); }
 
 void PictureFolder::finish() { writer_.finish(); }
 
 uint64_t PictureFolder::older_pictures() const {
   uint64_t older = 0;
-  for (uint64_t k = count_; std::filesystem::exists(folder_ / frame_name(k)); ++k) ++older;
+  for (uint64_t k = next_; std::filesystem::exists(folder_ / frame_name(k)); ++k) ++older;
   return older;
 }
 
 FrameOutputs::FrameOutputs(const FrameOptions& options, const Scene& scene, const Samples& samples,
                            Precision precision, const std::string& device,
-                           const std::function<const gpu::Context&()>& context)
+                           const std::function<const gpu::Context&()>& context, const FramesBefore& before)
     : options_(options), scene_(scene), samples_(samples) {
   if (options.pictures())
     painter_ = std::make_unique<gpu::Painter>(context(), scene, samples, scene.image_size);
-  if (options.frames) pictures_.emplace(*options.frames);
+  if (options.frames) pictures_.emplace(*options.frames, before.count);
   if (options.video) video_.emplace(*options.video, scene.image_size, scene.fps * options.speed);
-  if (options.vtk) vtk_.emplace(*options.vtk, samples.boundary, precision);
+  if (options.vtk) vtk_.emplace(*options.vtk, samples.boundary, precision, before.count, before.time);
   if (options.record) recording_.emplace(*options.record, scene, precision, device);
 }
 
@@ -80,6 +83,10 @@ void FrameOutputs::add(const StepReport& report, double seconds_per_step, const 
   if (video_) video_->write(picture(report, seconds_per_step, source));
 }
 
+void FrameOutputs::flush() {
+  if (pictures_) pictures_->flush();
+}
+
 void FrameOutputs::finish() {
   Attempts attempt;
   if (recording_) attempt([&] { recording_->commit(); });
@@ -100,7 +107,12 @@ void FrameOutputs::tell(bool quiet) const {
     fmt::print("{} pictures in {}\n", pictures_->count(), options_.frames->string());
     older(pictures_->older_pictures(), "pictures", *options_.frames);
   }
-  if (video_) {
+  const auto none = [](const std::filesystem::path& file) {
+    fmt::print("no frame was due, so there is no {}\n", file.string());
+  };
+  if (video_ && video_->count() == 0) {
+    none(*options_.video);
+  } else if (video_) {
     fmt::print("{} pictures, {:g} seconds, in {}\n", video_->count(),
                static_cast<double>(video_->count()) / (scene_.fps * options_.speed),
                options_.video->string());
@@ -109,7 +121,9 @@ void FrameOutputs::tell(bool quiet) const {
     fmt::print("{} frames for ParaView in {}\n", vtk_->count(), (*options_.vtk / "fluid.pvd").string());
     older(vtk_->older_files(), "files", *options_.vtk);
   }
-  if (recording_) {
+  if (recording_ && recording_->frames() == 0) {
+    none(*options_.record);
+  } else if (recording_) {
     std::error_code error;
     const auto bytes = std::filesystem::file_size(*options_.record, error);  // a pipe has none
     fmt::print("{} frames{} in {}\n", recording_->frames(),

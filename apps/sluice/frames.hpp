@@ -18,20 +18,27 @@ namespace sluice {
 /// Pictures in a folder: frame_000000.png, ...
 class PictureFolder {
  public:
-  /// Creates the folder.
-  explicit PictureFolder(const std::filesystem::path& folder);
+  /// Creates the folder. The first picture has the number `first`.
+  explicit PictureFolder(const std::filesystem::path& folder, uint64_t first = 0);
 
   void write(Image image);
-  void finish();  ///< returns when all pictures are on disk
+  void flush();   ///< returns when all pictures so far are on disk
+  void finish();  ///< the same; nothing may be written afterwards
 
-  uint64_t count() const { return count_; }
+  uint64_t count() const { return next_ - first_; }
   /// Pictures of an earlier, longer run that follow this run's own in the folder.
   uint64_t older_pictures() const;
 
  private:
   std::filesystem::path folder_;
   PngWriter writer_;
-  uint64_t count_ = 0;
+  uint64_t first_, next_;
+};
+
+/// Frames of a run that were due up to the checkpoint which it goes on from.
+struct FramesBefore {
+  uint64_t count = 0;
+  double time = 0;  ///< of the checkpoint
 };
 
 /// Where a frame's particles come from.
@@ -45,10 +52,14 @@ class FrameOutputs {
   /// Opens what `options` ask for, so that a folder that is not there is known at once. `context` is called
   /// if pictures are drawn. Scene and samples outlive this.
   FrameOutputs(const FrameOptions& options, const Scene& scene, const Samples& samples, Precision precision,
-               const std::string& device, const std::function<const gpu::Context&()>& context);
+               const std::string& device, const std::function<const gpu::Context&()>& context,
+               const FramesBefore& before = {});
 
   /// The next frame. One of the same step as the last is written again, but not drawn again.
   void add(const StepReport& report, double seconds_per_step, const StateSource& source);
+
+  /// Returns when the pictures so far are on disk.
+  void flush();
 
   /// Returns when everything is on disk and has its name. Where one can't be, the others still are, and then
   /// the failure is thrown.

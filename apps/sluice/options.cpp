@@ -1,4 +1,4 @@
-// What the subcommands understand. Options of later versions are known by name and refused.
+// What the subcommands understand.
 #include "apps/sluice/options.hpp"
 
 #include <fmt/format.h>
@@ -84,16 +84,23 @@ CLI::Option* add_number(CLI::App& app, const std::string& name, const std::strin
   return app.add_option_function<std::string>(name, read, help);
 }
 
-void add_later_options(CLI::App& app) {
-  for (const char* name : {"--checkpoint", "--checkpoint-every", "--resume"}) {
-    app.add_option_function<std::string>(
-           name,
-           [name](const std::string&) {
-             throw InputError(fmt::format("{}: this option is not available yet", name));
-           },
-           "Not available yet")
-        ->group("Not available yet");
-  }
+void add_checkpoint_options(CLI::App& app, RunOptions& options) {
+  auto* file = add_path(app, "--checkpoint", options.checkpoint,
+                        "Write what a later run needs to go on from where this one ends")
+                   ->type_name("FILE")
+                   ->group("Checkpoints");
+  add_number<double>(
+      app, "--checkpoint-every", "a number greater than 0",
+      [](double every) { return every > 0 && std::isfinite(every); },
+      [&](double every) { options.checkpoint_every = every; },
+      "Write it every T of simulated time too, each in the place of the last")
+      ->type_name("T")
+      ->group("Checkpoints")
+      ->needs(file);
+  add_path(app, "--resume", options.resume,
+           "Go on from a checkpoint; SCENE may be left out. --steps and --time count from the scene's start")
+      ->type_name("FILE")
+      ->group("Checkpoints");
 }
 
 void add_output_options(CLI::App& app, RunOptions& options) {
@@ -177,9 +184,10 @@ void add_steps_and_time(CLI::App& app, std::optional<uint64_t>& steps, std::opti
       ->excludes(count);
 }
 
+constexpr const char* scene_help = "A scene file, or the name of a shipped scene (`sluice scenes`)";
+
 void declare_scene(CLI::App& app, std::string& scene, std::vector<std::string>& overrides) {
-  app.add_option("SCENE", scene, "A scene file, or the name of a shipped scene (`sluice scenes`)")
-      ->required();
+  app.add_option("SCENE", scene, scene_help)->required();
   declare_overrides(app, overrides);
 }
 
@@ -247,7 +255,8 @@ void declare_agree_options(CLI::App& app, AgreeOptions& options) {
 }
 
 void declare_run_options(CLI::App& app, RunOptions& options) {
-  declare_scene(app, options.scene, options.overrides);
+  app.add_option("SCENE", options.scene, scene_help);  // whether there has to be one is not known here
+  declare_overrides(app, options.overrides);
   declare_machine(app, options.machine);
   declare_gl_options(app, options.machine);
   add_steps_and_time(app, options.steps, options.time, "in place of time.duration");
@@ -257,7 +266,7 @@ void declare_run_options(CLI::App& app, RunOptions& options) {
       ->group("Output");
   add_fps(app, options.overrides);
   add_frame_outputs(app, options.overrides, options.frames);
-  add_later_options(app);
+  add_checkpoint_options(app, options);
 }
 
 void declare_study_options(CLI::App& app, StudyOptions& options) {

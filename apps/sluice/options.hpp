@@ -38,12 +38,14 @@ struct FrameOptions {
 };
 
 struct RunOptions {
-  std::string scene;
+  std::optional<std::string> scene;    ///< none: that of the checkpoint
   std::vector<std::string> overrides;  ///< KEY=VALUE, those of --fps, --size and --colour included
   MachineOptions machine;
   std::optional<uint64_t> steps;
   std::optional<double> time;
   std::optional<std::filesystem::path> state, series, summary;
+  std::optional<std::filesystem::path> checkpoint, resume;
+  std::optional<double> checkpoint_every;  ///< in the scene's time
   FrameOptions frames;
   bool quiet = false;
 };

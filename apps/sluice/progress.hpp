@@ -13,9 +13,10 @@ namespace sluice {
 class Progress {
  public:
   /// Of so many `units`, "steps" or "frames", or if that is 0 as many as it takes, which end at the simulated
-  /// time `duration`. Shows nothing when
-  /// `quiet` or when standard error is not a terminal.
-  Progress(uint64_t total, double duration, std::string units, bool quiet);
+  /// time `duration`. Shows nothing when `quiet` or when standard error is not a terminal. An earlier run did
+  /// `before` of them, up to `time_before`.
+  Progress(uint64_t total, double duration, std::string units, bool quiet, uint64_t before = 0,
+           double time_before = 0);
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
@@ -25,8 +26,10 @@ class Progress {
 
  private:
   using Clock = std::chrono::steady_clock;
-  uint64_t total_;
-  double duration_;
+  /// Of the whole, from 0 to 1.
+  double share(uint64_t count, double time) const;
+  uint64_t total_, before_;
+  double duration_, time_before_;
   std::string units_;
   bool shown_;
   bool drawn_ = false;

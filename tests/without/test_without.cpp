@@ -3,6 +3,7 @@
 
 #include <fstream>
 
+#include "media/checkpoint.hpp"
 #include "media/recording.hpp"
 #include "media/window.hpp"
 #include "tests/support/message_of.hpp"
@@ -28,6 +29,14 @@ TEST(Without, RecordingsSayHowToGetThem) {
   const TemporaryFolder folder;
   { std::ofstream(folder / "a.rec") << "sluice recording and more"; }
   EXPECT_TRUE(is_recording(folder / "a.rec")) << "or it would be taken for a scene";
+}
+
+TEST(Without, CheckpointsSayHowToGetThem) {
+  const std::string message =
+      "this program was built without checkpoints; install libzstd-dev and libxxhash-dev and build it again "
+      "with -DSLUICE_RECORDINGS=ON";
+  EXPECT_EQ(message_of([] { CheckpointWriter("a.ckp", Scene(), Precision::single_, "device"); }), message);
+  EXPECT_EQ(message_of([] { read_checkpoint("a.ckp"); }), message);
 }
 
 }  // namespace
