@@ -21,7 +21,7 @@ void add_distances(HardCases& cases) {
     SceneParts here = dam("Dam", method);
     here.time = fixed(method.suffix == "ssph" ? 0.01 : 0.04, 10);
     for (const uint32_t away : {10000u, 1000000u}) {
-      SceneParts there = dam("Dam far away", method, 400, away * Vec2(h, -h));
+      SceneParts there = dam("Dam far away", method, 400, Vec2(away, -1.0 * away) * h);
       there.time = here.time;
       HardCase& hard = cases.add(fmt::format("dam_moved_by_{}_h", away), there);
       hard.same_as = scene_text(here);
