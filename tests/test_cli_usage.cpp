@@ -53,13 +53,6 @@ TEST(CliUsage, WordsThatMeanNothingAreRefused) {
   EXPECT_TRUE(has(refusal({"info", "breaking_dam", "more"}), "more"));
 }
 
-TEST(CliUsage, WhatIsNotBuiltYetSaysSo) {
-  for (const Words& words : {Words{"study"}, {"study", "table_6_1", "--out", "out", "--quick"}}) {
-    const std::string message = refusal(words);
-    EXPECT_TRUE(has(message, "not available yet") && has(message, words[0])) << message;
-  }
-}
-
 TEST(CliUsage, ResultsAreOnStandardOutputMessagesOnStandardError) {
   const TemporaryFolder folder;
   const ProgramResult chosen =

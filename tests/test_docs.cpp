@@ -44,7 +44,7 @@ TEST(Docs, EveryLinkLeadsSomewhere) {
   for (const char* page :
        {"README.md", "docs/model.md", "docs/scenes.md", "docs/output.md", "docs/scene_keys.md",
         "docs/thesis_tables.md", "docs/benchmarks/cpu.md", "docs/writing_a_scene.md", "docs/watching.md",
-        "docs/methods.md", "docs/replicability.md", "docs/pressure_solvers.md"}) {
+        "docs/methods.md", "docs/replicability.md", "docs/pressure_solvers.md", "docs/hard_cases.md"}) {
     const std::string text = read_file(source / page);
     for (std::sregex_iterator match(text.begin(), text.end(), link), end; match != end; ++match) {
       const std::string target = (*match)[1];

@@ -13,6 +13,7 @@ int run_command(const RunOptions& options);
 int agree_command(const AgreeOptions& options);
 int play_command(const PlayOptions& options);
 int export_command(const ExportOptions& options);
+int study_command(const StudyOptions& options);
 int scenes_command(bool keys);
 int info_command(const std::optional<std::string>& scene, const std::vector<std::string>& overrides);
 

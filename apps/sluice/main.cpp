@@ -66,10 +66,9 @@ int dispatch(int argc, char** argv) {
       app.add_subcommand("export", "Make pictures, a film or ParaView files from a recording");
   sluice::declare_export_options(*from_recording, exporting);
 
-  for (const char* name : {"study"}) {
-    auto* later = app.add_subcommand(name, "Not available yet")->group("Not available yet")->prefix_command();
-    later->callback([name] { throw sluice::InputError(fmt::format("{}: not available yet", name)); });
-  }
+  sluice::StudyOptions studying;
+  auto* study = app.add_subcommand("study", "Run a table of cases, on the CPU and on OpenGL");
+  sluice::declare_study_options(*study, studying);
 
   try {
     app.parse(argc, argv);
@@ -80,13 +79,14 @@ int dispatch(int argc, char** argv) {
   }
   if (app.get_subcommands().empty()) {
     return fail(bad_input,
-                "found no subcommand, expected run, play, export, agree, scenes or info\nsluice: run `sluice "
-                "--help`");
+                "found no subcommand, expected run, play, export, agree, study, scenes or info\nsluice: run "
+                "`sluice --help`");
   }
   if (run->parsed()) return sluice::run_command(options);
   if (play->parsed()) return sluice::play_command(playing);
   if (from_recording->parsed()) return sluice::export_command(exporting);
   if (agree->parsed()) return sluice::agree_command(comparison);
+  if (study->parsed()) return sluice::study_command(studying);
   if (scenes->parsed()) return sluice::scenes_command(keys);
   return sluice::info_command(scene, changes);
 }

@@ -269,6 +269,18 @@ void declare_run_options(CLI::App& app, RunOptions& options) {
   add_checkpoint_options(app, options);
 }
 
+void declare_study_options(CLI::App& app, StudyOptions& options) {
+  app.add_option("NAME", options.name, "Which table; without one they are listed");
+  add_path(app, "--out", options.out, "Write the tables and the scenes into this folder")->type_name("DIR");
+  app.add_flag("--quick", options.quick, "Only some, which take a minute");
+  app.add_option("--only", options.only, "Only cases whose name has this text in it")->type_name("TEXT");
+  app.add_flag("--list", options.list, "Write the scenes, print the `sluice run` of each case, run nothing");
+  add_number<int>(
+      app, "--jobs", "1 to 1024", [](int jobs) { return jobs >= 1 && jobs <= 1024; },
+      [&](int jobs) { options.jobs = jobs; }, "Cases to run at a time; 1 if not given")
+      ->type_name("N");
+}
+
 void declare_export_options(CLI::App& app, ExportOptions& options) {
   app.add_option("RECORDING", options.recording, "A file made by `sluice run --record`")->required();
   add_frame_outputs(app, options.overrides, options.frames);

@@ -77,6 +77,15 @@ struct AgreeOptions {
   std::optional<std::filesystem::path> summary;
 };
 
+struct StudyOptions {
+  std::string name;
+  std::optional<std::filesystem::path> out;
+  std::string only;    ///< part of the names of the cases to run
+  int jobs = 1;        ///< cases at a time
+  bool quick = false;  ///< only some of them
+  bool list = false;   ///< print the runs instead
+};
+
 /// Declares --set KEY=VALUE, repeatable.
 void declare_overrides(CLI::App& app, std::vector<std::string>& overrides);
 
@@ -87,6 +96,7 @@ void declare_gl_options(CLI::App& app, MachineOptions& options);
 /// Declares the options of `sluice run` on `app`; `options` is filled when the command line is parsed.
 void declare_run_options(CLI::App& app, RunOptions& options);
 void declare_agree_options(CLI::App& app, AgreeOptions& options);
+void declare_study_options(CLI::App& app, StudyOptions& options);
 void declare_export_options(CLI::App& app, ExportOptions& options);
 void declare_play_options(CLI::App& app, PlayOptions& options);
 

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "apps/sluice/options.hpp"
+#include "core/limits.hpp"
 #include "core/scene.hpp"
 #include "core/summary.hpp"
 
@@ -15,11 +15,6 @@ void warn(bool quiet, const std::string& message);
 
 /// Options for OpenGL in a run that neither computes nor draws with it.
 void warn_of_unused_opengl(const MachineOptions& options, bool quiet);
-
-/// What tends to go wrong and is known before the first step: an explicit viscosity, a state equation, the
-/// pressure of deep fluid or XSPH beyond its limit, sound slower than the fluid, mirror walls of too few
-/// layers.
-std::vector<std::string> beyond_limits(const Scene& scene, const Samples& samples);
 
 /// Why a run became invalid, where, and what often helps.
 std::string failure_text(const Scene& scene, const RunStatistics& statistics, const Failure& failure);

@@ -1,0 +1,124 @@
+// `sluice study`: what it writes, what it says, and its exit codes.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tests/support/running_program.hpp"
+#include "tests/support/table.hpp"
+
+namespace sluice::test {
+namespace {
+
+using Words = std::vector<std::string>;
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+Words lines_of(const std::string& text) {
+  Words lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+TEST(CliStudy, WhatIsNoStudyIsAnsweredWithThoseThereAre) {
+  for (const Words& words : {Words{"study"}, {"study", "table_6_1", "--out", "out"}}) {
+    const TemporaryFolder folder;
+    const ProgramResult result = run_program(words, folder.path);
+    EXPECT_EQ(result.code, 2);
+    EXPECT_TRUE(has(result.err, "hard ") && has(result.err, words.size() > 1 ? words[1] : "no name"))
+        << result.err;
+    EXPECT_TRUE(names_in(folder.path).empty());
+  }
+}
+
+TEST(CliStudy, WordsThatMeanNothingAreRefused) {
+  const TemporaryFolder folder;
+  const auto refusal = [&](Words words) {
+    words.insert(words.begin(), {"study", "hard"});
+    const ProgramResult result = run_program(words, folder.path);
+    EXPECT_EQ(result.code, 2);
+    return result.err;
+  };
+  EXPECT_TRUE(has(refusal({}), "--out"));
+  EXPECT_TRUE(has(refusal({"--out", "out", "--jobs", "0"}), "--jobs"));
+  EXPECT_TRUE(has(refusal({"--out", "out", "--only", "bogus"}), "bogus"));
+  EXPECT_TRUE(names_in(folder.path).empty());
+}
+
+TEST(CliStudy, WritesTheTableAndScenesThatRunAlike) {
+  const TemporaryFolder folder;
+  const ProgramResult result = run_program(
+      {"study", "hard", "--out", "out", "--only", "two_particles_free_iisph", "--jobs", "2"}, folder.path);
+  EXPECT_EQ(result.code, 0) << result.err;
+  EXPECT_EQ(names_in(folder / "out"), (Words{"hard.csv", "hard.md", "scenes"}));
+  EXPECT_EQ(names_in(folder.path / "out" / "scenes"), (Words{"two_particles_free_iisph.toml"}));
+  EXPECT_EQ(read_file(folder.path / "out" / "hard.md"), result.out);
+  EXPECT_TRUE(has(result.out, "| case | method | backend | warned |")) << result.out;
+  EXPECT_TRUE(has(result.out, "\n1 cases on the CPU and on ")) << result.out;
+
+  const Words rows = lines_of(read_file(folder.path / "out" / "hard.csv"));
+  ASSERT_EQ(rows.size(), 3u);
+  EXPECT_TRUE(rows[0].starts_with("case,method,backend,"));
+  EXPECT_TRUE(rows[1].starts_with("two_particles_free_iisph,IISPH,cpu,no,survived,0.04,75,"));
+  EXPECT_TRUE(rows[2].starts_with("two_particles_free_iisph,IISPH,gpu,no,survived,0.04,75,"));
+
+  ASSERT_EQ(run_program({"run", "out/scenes/two_particles_free_iisph.toml", "--backend", "cpu", "--quiet",
+                         "--summary", "run.json"},
+                        folder.path)
+                .code,
+            0);
+  EXPECT_EQ(read_json(folder / "run.json")["steps"], 75);
+}
+
+TEST(CliStudy, ListsTheRunsAndWritesTheirScenes) {
+  const TemporaryFolder folder;
+  const ProgramResult result = run_program({"study", "hard", "--out", "out", "--list"}, folder.path);
+  EXPECT_EQ(result.code, 0) << result.err;
+  EXPECT_EQ(names_in(folder / "out"), (Words{"scenes"}));
+  const Words lines = lines_of(result.out);
+  EXPECT_EQ(std::ranges::count(lines, "# pairs_at_0_iisph: rearranged, runs only in the study"), 1);
+  EXPECT_GT(lines.size(), 300u);
+  const auto line = std::ranges::find_if(
+      lines, [](const std::string& text) { return has(text, "velocity_1e30_ssph.toml --backend cpu"); });
+  ASSERT_NE(line, lines.end());
+  std::istringstream stream(*line);
+  Words words;
+  for (std::string word; stream >> word;) words.push_back(word);
+  ASSERT_EQ(words.front(), "sluice");
+  words.erase(words.begin());
+  EXPECT_EQ(run_program(words, folder.path).code, 1);
+  EXPECT_EQ(read_json(folder.path / "out" / "velocity_1e30_ssph_cpu.json")["failure"]["step"], 1);
+}
+
+// A million particles take more than a second of a processor's time: the case is killed, not the study.
+TEST(CliStudy, NamesACaseThatCrashed) {
+  const TemporaryFolder folder;
+  const std::string command = "cd '" + folder.path.string() +
+                              "' && ulimit -c 0 && ulimit -t 1 && '" SLUICE_BINARY
+                              "' study hard --out out --only crowd_of_1000000 >out.md 2>err";
+  const int status = std::system(command.c_str());
+  EXPECT_EQ(WEXITSTATUS(status), 1);
+  const std::string err = read_file(folder / "err");
+  EXPECT_TRUE(has(err, "crowd_of_1000000_in_8_ssph on cpu did not come out as expected: crashed with signal"))
+      << err;
+  EXPECT_TRUE(has(read_file(folder.path / "out" / "hard.csv"), "crashed with signal"));
+}
+
+TEST(CliStudy, WithoutOpenGlItSaysSo) {
+  const TemporaryFolder folder;
+  RunningProgram::Options options;
+  options.environment = {"__EGL_VENDOR_LIBRARY_FILENAMES=/nonexistent.json"};
+  RunningProgram program({"study", "hard", "--out", folder / "out", "--quick"}, options);
+  const ProgramResult result = program.wait();
+  EXPECT_EQ(result.code, 3);
+  EXPECT_TRUE(has(result.err, "OpenGL")) << result.err;
+  EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+}
+
+}  // namespace
+}  // namespace sluice::test
