@@ -37,7 +37,7 @@ class PngWriter {
   /// Throws the failure of an earlier picture, the first there was.
   void write(std::filesystem::path path, Image image);
 
-  /// Returns when all so far is on disk; throws the first failure.
+  /// Returns when all so far have been written; throws the first failure.
   void flush();
 
   /// The same. Nothing may be written afterwards.

@@ -5,6 +5,11 @@
 
 namespace sluice {
 
+void Losses::know(const Params& params, std::span<const Vec2> x) {
+  known_.resize(x.size());
+  for (size_t i = 0; i < x.size(); ++i) known_[i] = is_lost(params, x[i]);
+}
+
 void Losses::note(const StepReport& report, const Params& params, std::span<const uint32_t> id,
                   std::span<const Vec2> x) {
   known_.resize(id.size());

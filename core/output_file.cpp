@@ -24,7 +24,8 @@ constexpr size_t buffer_size = size_t{1} << 16;
 const char* advice(int reason) {
   switch (reason) {
     case ENOSPC:
-    case EDQUOT: return "free some space or write somewhere else";
+    case EDQUOT:
+    case EFBIG: return "free some space or write somewhere else";
     case ENOENT:
     case ENOTDIR: return "create its folder first or name an existing one";
     case EISDIR: return "name a file, not a folder";

@@ -28,6 +28,7 @@ struct Failure {
   uint32_t id = 0;
   Vec2 x{};  ///< last finite position of that particle
   std::string reason;
+  bool collapsed = false;  ///< an adaptive step had to be shorter than it may be
 };
 
 /// The fluid in id order.

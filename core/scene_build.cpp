@@ -141,13 +141,15 @@ void read_time(const SceneValue& root, Scene& scene) {
   const SceneValue* dt = method_dt ? method_dt : table.find("dt");
   if (const SceneValue* cfl = table.find("cfl")) {
     scene.adaptive = {cfl->number, table.at("dt_min").number, table.at("dt_max").number};
-    dt = table.find("dt_max");
+    dt = table.find("dt_min");
+    scene.dt = scene.adaptive->dt_max;
+  } else {
+    scene.dt = dt->number;
   }
-  scene.dt = dt->number;
-  if (!(scene.duration / scene.dt <= max_steps))
+  if (!(scene.duration / dt->number <= max_steps))
     throw refusal(blame({&table.at("duration"), dt}), "time.duration",
                   fmt::format("{}, which is {:.4g} steps of {}", describe(table.at("duration")),
-                              scene.duration / scene.dt, describe(*dt)),
+                              scene.duration / dt->number, describe(*dt)),
                   fmt::format("at most {:.0f} steps", max_steps));
 }
 

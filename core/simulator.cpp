@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <numeric>
+#include <stdexcept>
 
 #include "core/error.hpp"
 #include "core/verdict.hpp"
@@ -113,6 +114,14 @@ void Simulator::start(const std::vector<Vec2>& x) {
 
 /// What is finite in a scene may not be in float.
 void Simulator::refuse_beyond_range() const {
+  const double dt = scene_.adaptive ? scene_.adaptive->dt_min : scene_.dt;
+  const auto shortest = static_cast<float>(dt), longest = static_cast<float>(scene_.dt);
+  if (backend_.precision() == Precision::single_ && !(shortest > 0 && std::isfinite(longest))) {
+    throw InputError(
+        fmt::format("{}: time: found steps of {:g}, beyond the range of this precision, expected them within "
+                    "it; use --precision double or another unit of time",
+                    scene_.file, shortest > 0 ? scene_.dt : dt));
+  }
   for (const Field field : {Field::x_in, Field::v_in}) {
     const auto i = first_not_finite(vectors(field));
     if (!i) continue;
@@ -185,9 +194,9 @@ bool Simulator::run_step(const Plan& plan, StepReport& report) {
   begin_step();
   const auto neighbours = std::find(plan.search.begin(), plan.search.end(), Stage::neighbours);
   run({plan.search.begin(), neighbours});
-  List list = List::fits;
+  List list = List::longer_now;
   do {
-    run({neighbours, plan.search.end()});
+    if (list == List::longer_now) run({neighbours, plan.search.end()});
     run(plan.forces);
     solve_pressure(plan, report);
     run(plan.finish);
@@ -273,6 +282,7 @@ bool Simulator::is_cut_short(double end) const { return control_ && end - time()
 double Simulator::cut_dt(double end) const {
   constexpr double close = 1 + 1e-6;
   const double left = end - time();
+  if (left <= 0) throw std::logic_error("a step of a run that has reached its end");
   if (left <= close * next_dt_) return left;
   return is_cut_short(end) ? left / 2 : next_dt_;
 }
@@ -378,6 +388,7 @@ Simulator::Simulator(const Scene& scene, const Samples& samples, Backend& backen
   upload_state(state.x, state.v);
   backend_.upload(Field::rho, state.density);
   backend_.upload(Field::p, state.pressure);
+  losses_.know(params_, state.x);
   backend_.reset_seconds();
 }
 

@@ -29,8 +29,8 @@ class Simulator {
   Simulator(const Scene& scene, const Samples& samples, Backend& backend, const SimulationState& state);
 
   /// Runs one step. Sets failure() when the state it leads to is invalid; then no further step may follow.
-  /// Where the scene's steps adapt, they are shortened to end at the time `end`, and one that moves a
-  /// particle too far is repeated with a shorter dt.
+  /// Where the scene's steps adapt, they are shortened to end at the time `end`, which is yet to come, and
+  /// one that moves a particle too far is repeated with a shorter dt.
   StepReport step(double end = std::numeric_limits<double>::infinity());
 
   uint64_t steps() const { return steps_; }

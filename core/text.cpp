@@ -43,6 +43,7 @@ std::string bytes_text(double bytes) {
 std::string duration_text(double seconds) {
   if (seconds < 1) return "under 1 s";
   if (seconds < 120) return fmt::format("{:.0f} s", seconds);
+  if (seconds > 3.6e9) return "ages";
   const auto whole = static_cast<uint64_t>(seconds);
   if (seconds < 7200) return fmt::format("{} min {} s", whole / 60, whole % 60);
   return fmt::format("{} h {} min", whole / 3600, whole / 60 % 60);

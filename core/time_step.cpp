@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
 
 namespace sluice {
 namespace {
@@ -34,6 +36,21 @@ Extremes potentials(const Scene& scene, const std::vector<Vec2>& places) {
   Extremes extremes;
   for (const Vec2 x : places) extremes.add(potential(scene, x));
   return extremes;
+}
+
+/// g depth: the range of the potential over the fluid, less the gaps that no fluid fills, as below a drop
+/// that is yet to fall.
+double potential_depth(const Scene& scene, const std::vector<Vec2>& fluid) {
+  std::vector<std::pair<double, Vec2>> levels;
+  for (const Vec2 x : fluid) levels.emplace_back(potential(scene, x), x);
+  std::sort(levels.begin(), levels.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  double depth = 0;
+  for (size_t i = 1; i < levels.size(); ++i) {
+    const Vec2 a = scene.gravity - scene.central_force * (levels[i].second - scene.centre);
+    const double in_reach = 2 * scene.smoothing_length() * std::hypot(a.x, a.y);
+    depth += std::min(levels[i].first - levels[i - 1].first, in_reach);
+  }
+  return depth;
 }
 
 }  // namespace
@@ -67,8 +84,8 @@ StepBounds step_bounds(const Scene& scene, const Samples& samples) {
   if (scene.viscosity_model == ViscosityModel::laplacian && scene.viscosity > 0)
     bounds.viscous.duration = h * h / scene.viscosity;
   if (scene.method == PressureMethod::iisph) {
-    const Extremes fluid = potentials(scene, samples.fluid);
-    if (fluid.largest > fluid.least) bounds.depth.duration = h / std::sqrt(fluid.largest - fluid.least);
+    const double depth = potential_depth(scene, samples.fluid);
+    if (depth > 0) bounds.depth.duration = h / std::sqrt(depth);
   }
   return bounds;
 }

@@ -80,10 +80,14 @@ Failure find_failure(const StepReport& report, const Params& params, const Snaps
 
 Failure find_runaway(const StepReport& report, const Params& params, double cfl, const Snapshot& after) {
   const uint32_t id = fastest(after.v);
-  return {report.step, report.time, id, after.x[id],
+  return {report.step,
+          report.time,
+          id,
+          after.x[id],
           fmt::format("the time step collapsed: even with dt {:g} a particle moved by {:.3g} spacings, more "
                       "than time.cfl {:g}",
-                      params.dt, report.diagnostics.cfl, cfl)};
+                      params.dt, report.diagnostics.cfl, cfl),
+          true};
 }
 
 Failure find_crowd(const StepReport& report, const Params& params, const Snapshot& before) {

@@ -66,6 +66,7 @@ class CpuBackend final : public Backend {
 
   void allocate(FieldSet fields, const Sizes& sizes) override {
     state_.sizes = sizes;
+    state_.part_needs.clear();
     // A thread pays for itself only with some work to do.
     const uint64_t useful = sizes.fluid / particles_per_thread + 1;
     state_.threads = static_cast<int>(std::min<uint64_t>(static_cast<uint64_t>(threads_), useful));

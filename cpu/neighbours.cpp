@@ -4,9 +4,11 @@
 // Layout: slices of 16 particles; entry k of the particle in lane l of a slice stands at first + 16 k + l, so
 // that a slice is as long as the longest of its lists; what fills up the shorter ones means nothing. Each
 // thread fills its own part of the list from the front. If a part is too short, searching goes on without
-// storing, list_needed says how large the list has to be, and all lists are left empty.
+// storing, to know what it needs; if the list has that room elsewhere, it is searched again. Else list_needed
+// says how large the list has to be, the same for any number of threads, and all lists are left empty.
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 #include "cpu/search.hpp"
 #include "cpu/stages.hpp"
@@ -101,36 +103,62 @@ uint32_t search_slice(State<Real>& state, Found<Real>& found, uint32_t first, ui
   return longest;
 }
 
-}  // namespace
-
+/// Where in the list the part of a thread begins: each has what it needed last time, and its share of the
+/// rest.
 template <class Real>
-void neighbours(State<Real>& state) {
+uint64_t begin_of_part(const State<Real>& state, uint64_t part) {
+  const std::vector<uint64_t>& needs = state.part_needs;
+  const auto sum = [&](uint64_t end) {
+    return std::accumulate(needs.begin(), needs.begin() + long(end), uint64_t{0});
+  };
+  const uint64_t all = sum(needs.size()), slots = state.sizes.list / slice_width * slice_width;
+  if (all > slots) return slots / slice_width * part / needs.size() * slice_width;
+  return sum(part) + (slots - all) / slice_width * part / needs.size() * slice_width;
+}
+
+/// Searches all parts side by side, notes what each of them needs, and returns whether all had the room.
+template <class Real>
+bool search_parts(State<Real>& state) {
   const uint32_t n = state.params.n;
-  const uint64_t slices = (n + slice_width - 1) / slice_width;
-  const uint64_t parts = std::min<uint64_t>(static_cast<uint64_t>(state.threads), slices);
-  uint64_t longest_part = 0;
+  const uint64_t slices = (n + slice_width - 1) / slice_width, parts = state.part_needs.size();
+  std::vector<uint64_t>& needs = state.found_needs;
   uint32_t reach = 0;
-#pragma omp parallel for num_threads(static_cast <int>(parts)) schedule(static) \
-    reduction(max                                                               \
-              : longest_part, reach)
+  int short_parts = 0;
+#pragma omp parallel for num_threads(static_cast <int>(parts)) schedule(static) reduction(max : reach) reduction(+ : short_parts)
   for (uint64_t part = 0; part < parts; ++part) {
-    const auto share = [&](uint64_t of, uint64_t p) { return of * p / parts; };
-    const uint64_t begin = share(state.sizes.list / slice_width, part) * slice_width;
-    const uint64_t end = share(state.sizes.list / slice_width, part + 1) * slice_width;
+    const uint64_t begin = begin_of_part(state, part), end = begin_of_part(state, part + 1);
     uint64_t cursor = begin;
     Found<Real> found{};
-    for (uint64_t slice = share(slices, part); slice < share(slices, part + 1); ++slice) {
+    for (uint64_t slice = slices * part / parts; slice < slices * (part + 1) / parts; ++slice) {
       const uint32_t longest =
           search_slice(state, found, static_cast<uint32_t>(slice * slice_width), cursor, end);
       cursor += uint64_t{slice_width} * longest;
     }
-    longest_part = std::max(longest_part, cursor - begin);
+    needs[part] = cursor - begin;
+    if (cursor > end) ++short_parts;
     reach = std::max(reach, found.reach);
   }
   state.reach = reach;
-  const uint64_t needed = longest_part * parts;
+  state.part_needs.swap(needs);
+  return short_parts == 0;
+}
+
+}  // namespace
+
+template <class Real>
+void neighbours(State<Real>& state) {
+  const uint64_t slices = (uint64_t{state.params.n} + slice_width - 1) / slice_width;
+  const uint64_t parts = std::min<uint64_t>(static_cast<uint64_t>(state.threads), slices);
+  if (state.part_needs.size() != parts) {
+    state.part_needs.assign(parts, 0);
+    state.found_needs.assign(parts, 0);
+  }
+  bool fits = search_parts(state);
+  const uint64_t needed = std::accumulate(state.part_needs.begin(), state.part_needs.end(), uint64_t{0});
+  // There is room, and now it is known where it is needed.
+  if (!fits && needed <= state.sizes.list) fits = search_parts(state);
   state.list_needed[0] = static_cast<uint32_t>(std::min<uint64_t>(needed, list_beyond_bounds));
-  if (needed > state.sizes.list) for_each_index(n, state.threads, [&](size_t i) { state.list[i].y = 0; });
+  if (!fits) for_each_index(state.params.n, state.threads, [&](size_t i) { state.list[i].y = 0; });
 }
 
 }  // namespace sluice::cpu::SLUICE_SET

@@ -62,6 +62,8 @@ struct State {
   int threads = 1;  ///< the same for every stage: changing the size of a team costs more than a small stage
   size_t reach = any_reach;  ///< numbers of neighbours differ by no more; `neighbours` finds it
   static constexpr size_t any_reach = ~uint32_t{0};
+  /// Entries of the neighbour list that each thread's part needed last, and room to count them anew.
+  std::vector<uint64_t> part_needs{}, found_needs{};
 
 #define FIELD(name, type, length, unit, meaning) \
   std::vector<typename ElementOf<Real, Type::type>::element> name;

@@ -41,14 +41,16 @@ std::string preamble(const FileKind& kind, std::string_view header) {
 }
 
 CheckedFile::CheckedFile(std::filesystem::path path, const FileKind& kind)
-    : path_(std::move(path)), kind_(kind), file_(path_, std::ios::binary) {
+    : path_(std::move(path)), kind_(kind) {
   std::error_code error;
   size_ = std::filesystem::file_size(path_, error);
   if (std::filesystem::is_directory(path_, error))
     refuse(fmt::format("found a folder, expected a {}", kind_.name));
   if (!std::filesystem::exists(path_, error))
     refuse(fmt::format("found no such file, expected a {}", kind_.name));
-  if (!file_ || size_ == no_size)
+  // Opening a pipe would wait for somebody to write to it.
+  if (std::filesystem::is_regular_file(path_, error)) file_.open(path_, std::ios::binary);
+  if (!file_.is_open() || !file_ || size_ == no_size)
     refuse(fmt::format("found a file that can't be read, expected a {}", kind_.name));
 }
 

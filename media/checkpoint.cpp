@@ -62,13 +62,16 @@ bool is_plausible(const RunClock& clock, const Scene& scene) {
   const bool times = clock.time_before >= 0 && std::isfinite(clock.time()) && clock.dt > 0;
   if (!times || clock.steps > most_steps || clock.steps_before > clock.steps) return false;
   if (!scene.adaptive) return clock.dt == scene.dt && clock.next_dt == 0;
-  return clock.next_dt >= scene.adaptive->dt_min && clock.next_dt <= scene.adaptive->dt_max;
+  const AdaptiveStep& limits = *scene.adaptive;
+  return clock.dt <= limits.dt_max && clock.next_dt >= limits.dt_min && clock.next_dt <= limits.dt_max;
 }
 
-bool is_plausible(const RunCounts& counts, const RunClock& clock) {
+bool is_plausible(const RunCounts& counts, const RunClock& clock, uint64_t particles) {
+  const bool positive = counts.compression_sum >= 0 && counts.compression_max >= 0 && counts.cfl_max >= 0 &&
+                        counts.dt_min > 0 && counts.dt_max >= 0 && counts.lost <= particles;
   const bool finite = std::isfinite(counts.compression_sum) && std::isfinite(counts.compression_max) &&
                       std::isfinite(counts.cfl_max) && std::isfinite(counts.dt_max);
-  return finite && counts.steps == clock.steps && counts.not_converged <= counts.steps;
+  return positive && finite && counts.steps == clock.steps && counts.not_converged <= counts.steps;
 }
 
 /// Offsets of the parts of a file whose header has this size.
@@ -127,7 +130,7 @@ void read_state(CheckedFile& file, const Parts& parts, Checkpoint& found) {
   const uint64_t each = values_per_particle * (wide ? sizeof(double) : sizeof(float));
   const uint64_t bytes = parts.checksum - parts.particles;
   if (facts.particles == 0 || facts.particles > bytes / each || facts.particles * each != bytes ||
-      !is_plausible(facts.clock, found.scene) || !is_plausible(facts.counts, facts.clock)) {
+      !is_plausible(facts.clock, found.scene) || !is_plausible(facts.counts, facts.clock, facts.particles)) {
     file.refuse_altered();
   }
   found.counts = facts.counts;

@@ -8,21 +8,36 @@
 #include "lib/kernel.glsl"
 #include "lib/neighbours.glsl"
 
+// Looked for apart, so that nobody loads ids who doesn't need them.
+void part(uint i, vec2 x_i) {
+  uint id_i = load(id, i);
+  for_each_neighbour(i, entry) {
+    uint j = load(index, entry);
+    precise vec2 x_ij = x_i - load(x, j);
+    if (length_of(x_ij) < params.coincidence) {
+      vec2 dW = id_i > load(id, j) ? params.parting_gradient : -params.parting_gradient;
+      uint block = 2u * entry - entry % slice_width;
+      gradient[block] = dW.x;
+      gradient[block + slice_width] = dW.y;
+    }
+  }
+}
+
 void run(uint i) {
   vec2 x_i = load(x, i);
   precise float sum = kernel(0.0);
+  bool coincides = false;
   for_each_neighbour(i, entry) {
     precise vec2 x_ij = x_i - load(x, load(index, entry));
     float r = length_of(x_ij);
     vec2 dW = kernel_gradient(x_ij, r);
-    if (r < params.coincidence) {
-      dW = load(id, i) > load(id, load(index, entry)) ? params.parting_gradient : -params.parting_gradient;
-    }
+    coincides = coincides || r < params.coincidence;
     uint block = 2u * entry - entry % slice_width;
     gradient[block] = dW.x;
     gradient[block + slice_width] = dW.y;
     sum += kernel(r);
   }
+  if (coincides) part(i, x_i);
   sum = params.m * sum + (walls ? load(wall_density, i) : 0.0);
   rho[i] = sum;
 }

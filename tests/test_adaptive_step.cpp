@@ -139,6 +139,9 @@ TEST(AdaptiveStep, TheLastTwoShareWhatIsLeft) {
   EXPECT_EQ(run.reports[3].time, 0.0351);
   EXPECT_EQ(run_on_cpu(0.004, scene).reports.size(), 1u);
   EXPECT_EQ(run_on_cpu(0.03, scene).reports.size(), 3u) << "a rounding error is no step";
+  Simulation past(scene);
+  past.simulator->step(0.001);
+  EXPECT_THROW(past.simulator->step(0.001), std::logic_error);
 }
 
 TEST(AdaptiveStep, TheCutIsKnownBeforeIt) {
@@ -228,6 +231,14 @@ TEST(StepBoundsTest, OfViscositySoundAndDepth) {
   const StepBounds central = bounds({"fluid.gravity=[0,0]", "fluid.central_force=4", "fluid.centre=[24,24]",
                                      "fluid.rect=[{min=[24,24],count=[1,11]}]"});
   EXPECT_NEAR(central.depth.duration, 8 / std::sqrt(0.5 * 4 * 80 * 80), 1e-12);
+}
+
+TEST(StepBoundsTest, ADropThatIsYetToFallAddsItsOwnDepthOnly) {
+  const Scene scene = shipped(
+      "breaking_dam",
+      {"viscosity.coefficient=0", "fluid.rect=[{min=[24,24],count=[22,30]},{min=[24,5000],count=[3,3]}]"});
+  const double depth = 29 * 8 + 16 + 2 * 8;  // of the dam, the gap as far as it is in reach, and the drop
+  EXPECT_NEAR(step_bounds(scene, sample(scene)).depth.duration, 8 / std::sqrt(9.81 * depth), 1e-12);
 }
 
 TEST(StepBoundsTest, ImpactSpeedIsThatOfTheLongestFall) {

@@ -42,7 +42,7 @@ Image drawn(const std::string& more = "") {
 TEST(StoredPicture, IsDrawnAgain) {
   const std::string again =
       "build/release/sluice " + std::string(words) +
-      " --frames /tmp/stored && cp /tmp/stored/frame_000001.png tests/data/breaking_dam_t6.png";
+      " --frames build/stored && cp build/stored/frame_000001.png tests/data/breaking_dam_t6.png";
   const Image expected = read_image(stored), found = drawn();
   ASSERT_EQ(found.width, expected.width) << again;
   ASSERT_EQ(found.height, expected.height) << again;

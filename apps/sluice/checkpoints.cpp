@@ -107,7 +107,8 @@ void Checkpoints::write(const Simulator& simulator, const RunStatistics& statist
 void Checkpoints::tell_of_last() const {
   if (!writer_) return;
   const std::string last = written_ ? fmt::format("{} has step {}, the last that was due", name_, *written_)
-                                    : fmt::format("{} stays as it was", name_);
+                           : std::filesystem::exists(name_) ? fmt::format("{} stays as it was", name_)
+                                                            : "there is none";
   fmt::print(stderr, "sluice: no checkpoint of an invalid state is written; {}\n", last);
 }
 

@@ -43,9 +43,11 @@ class Checkpoints {
 
   /// Whether there is one to be written at all.
   bool wanted() const { return writer_ && !held_; }
+  bool held() const { return held_; }
   bool due(double time) { return wanted() && clock_ && clock_->advance(time); }
   /// From here on the run is no longer that of a later end: the last one stays.
   void hold() { held_ = true; }
+  void release() { held_ = false; }
   /// Returns when it is on the disk. Does nothing where none is wanted, where it is there already, and after
   /// a step that failed: the last good one stays.
   void write(const Simulator& simulator, const RunStatistics& statistics);

@@ -23,6 +23,7 @@ struct Close {
   void operator()(std::FILE* file) const { std::fclose(file); }
 };
 using Clock = std::chrono::steady_clock;
+constexpr unsigned most_seconds = 3600;
 using File = std::unique_ptr<std::FILE, Close>;
 
 struct Child {
@@ -60,6 +61,7 @@ pid_t start(const std::function<std::string(size_t)>& task, size_t i, std::FILE*
   if (child > 0) return child;
   prctl(PR_SET_PDEATHSIG, SIGKILL);  // nobody is left to hear it
   if (getppid() != parent) _exit(3);
+  alarm(most_seconds);  // SIGALRM ends what hangs
   _exit(act(task, i, said));
 }
 

@@ -110,7 +110,8 @@ class Outputs {
       frames_->add(report, seconds_per_step, state);
   }
 
-  /// Returns when what a run that goes on does not make again is on the disk.
+  /// Returns when what a run that goes on does not make again has been written, if not yet to the disk
+  /// itself.
   void flush() { frames_->flush(); }
 
   /// Saves the rows and frames of a run that is about to fail for another reason, which is the news.
@@ -162,10 +163,12 @@ void simulate(Simulator& simulator, const RunEnd& end, Outputs& outputs, Checkpo
   };
   while (!end.reached(simulator) && !simulator.failure() && !interrupted()) {
     // The last steps of a run that ends at a time are shorter than those of one that goes on.
-    if (checkpoints.wanted() && simulator.is_cut_short(end.time)) {
+    const bool cut_short = simulator.is_cut_short(end.time);
+    if (checkpoints.wanted() && cut_short) {
       save();
       checkpoints.hold();
     }
+    if (!cut_short) checkpoints.release();  // what was to be the end has become many steps
     const Clock::time_point before = Clock::now();
     const StepReport report = simulator.step(end.time);
     const double step_seconds = std::chrono::duration<double>(Clock::now() - before).count();
@@ -182,6 +185,7 @@ int report_end(const RunSummary& summary, const RunEnd& end, bool quiet) {
   if (const auto& failure = summary.simulator.failure()) {
     fmt::print(stderr, "sluice: invalid run: {}\n",
                failure_text(summary.scene, summary.statistics, *failure));
+    warn_of_losses(summary.statistics, summary.simulator.losses(), quiet);
     return 1;
   }
   warn_of_poor_run(summary.scene, summary.statistics, summary.simulator.losses(), quiet);
@@ -216,6 +220,12 @@ int run_command(const RunOptions& options) {
   // May refuse the scene: then nothing is written.
   Simulator simulator = make_simulator(options, scene, samples, machine.backend(), from);
   if (from) from->state = {from->state.clock, {}, {}, {}, {}, {}};  // the rest is in the backend now
+  if (from && end.reached(simulator)) {
+    warn(options.quiet,
+         fmt::format("the checkpoint is of step {}, time {:g}, where this run ends or later; for "
+                     "more steps use a larger --time or --steps",
+                     simulator.steps(), simulator.time()));
+  }
   note_interrupts();  // from here on there is something to finish
   Outputs outputs(options, scene, samples, machine, from);
   Checkpoints checkpoints(options, scene, machine.backend(), simulator.time());

@@ -22,7 +22,7 @@ class PictureFolder {
   explicit PictureFolder(const std::filesystem::path& folder, uint64_t first = 0);
 
   void write(Image image);
-  void flush();   ///< returns when all pictures so far are on disk
+  void flush();   ///< returns when all pictures so far have been written
   void finish();  ///< the same; nothing may be written afterwards
 
   uint64_t count() const { return next_ - first_; }
@@ -58,7 +58,7 @@ class FrameOutputs {
   /// The next frame. One of the same step as the last is written again, but not drawn again.
   void add(const StepReport& report, double seconds_per_step, const StateSource& source);
 
-  /// Returns when the pictures so far are on disk.
+  /// Returns when the pictures so far have been written.
   void flush();
 
   /// Returns when everything is on disk and has its name. Where one can't be, the others still are, and then

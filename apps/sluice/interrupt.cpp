@@ -18,6 +18,7 @@ extern "C" void request_stop(int signal) {
 void note_interrupts() {
   std::signal(SIGINT, request_stop);
   std::signal(SIGTERM, request_stop);
+  std::signal(SIGHUP, request_stop);
 }
 
 bool interrupted() { return stop_requested != 0; }

@@ -3,7 +3,7 @@
 
 namespace sluice {
 
-/// From here on SIGINT and SIGTERM don't end the program but are remembered.
+/// From here on SIGINT, SIGTERM and SIGHUP don't end the program but are remembered.
 void note_interrupts();
 bool interrupted();
 

@@ -95,8 +95,9 @@ int dispatch(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   limit_spinning(argv);
-  // A reader that goes away is a failed write, not a death.
+  // A reader that goes away and a file beyond its limit are failed writes, not deaths.
   std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
   int code = 0;
   try {
     code = dispatch(argc, argv);

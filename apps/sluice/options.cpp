@@ -113,7 +113,7 @@ void add_output_options(CLI::App& app, RunOptions& options) {
   add_path(app, "--summary", options.summary, "Write counts, means, timings and settings")
       ->type_name("FILE.json")
       ->group("Output");
-  app.add_flag("--quiet", options.quiet, "No progress, no table at the end")->group("Output");
+  app.add_flag("--quiet", options.quiet, "No progress, no warnings, no table at the end")->group("Output");
 }
 
 void add_fps(CLI::App& app, std::vector<std::string>& overrides) {
@@ -275,6 +275,11 @@ void declare_study_options(CLI::App& app, StudyOptions& options) {
   app.add_flag("--quick", options.quick, "Only some, which take a minute");
   app.add_option("--only", options.only, "Only cases whose name has this text in it")->type_name("TEXT");
   app.add_flag("--list", options.list, "Write the scenes, print the `sluice run` of each case, run nothing");
+  app.add_option_function<std::string>(
+         "--collect",
+         [](const std::string&) { throw InputError("--collect: this option is not available yet"); },
+         "Not available yet")
+      ->group("Not available yet");
   add_number<int>(
       app, "--jobs", "1 to 1024", [](int jobs) { return jobs >= 1 && jobs <= 1024; },
       [&](int jobs) { options.jobs = jobs; }, "Cases to run at a time; 1 if not given")

@@ -29,13 +29,14 @@ std::filesystem::path scene_path(const StudyOptions& options, const HardCase& ha
 
 std::vector<HardCase> cases_of(const StudyOptions& options) {
   std::vector<HardCase> cases = hard_cases();
-  std::erase_if(cases,
-                [&](const HardCase& hard) { return hard.name.find(options.only) == std::string::npos; });
+  std::erase_if(cases, [&](const HardCase& hard) {
+    return hard.name.find(options.only) == std::string::npos || (options.quick && !hard.quick);
+  });
   if (cases.empty()) {
-    throw InputError(fmt::format(
-        "--only: found \"{}\", expected text from the name of a case; --list prints them", options.only));
+    throw InputError(
+        fmt::format("--only: found \"{}\", expected text from the name of a {}case; --list prints them",
+                    options.only, options.quick ? "quick " : ""));
   }
-  if (options.quick) std::erase_if(cases, [](const HardCase& hard) { return !hard.quick; });
   return cases;
 }
 
@@ -46,7 +47,13 @@ void write_scenes(const StudyOptions& options, const std::vector<HardCase>& case
     throw EnvironmentError(fmt::format("{}: the folder can't be created: {}; choose another for --out",
                                        options.out->string(), error.message()));
   }
-  for (const HardCase& hard : cases) write_file(scene_path(options, hard), hard.scene);
+  for (const HardCase& hard : cases) {
+    const char* note =
+        hard.rearrange
+            ? "# The study moves particles of this scene before it runs it; by itself it is another.\n\n"
+            : "";
+    write_file(scene_path(options, hard), note + hard.scene);
+  }
 }
 
 void list(const StudyOptions& options, const std::vector<HardCase>& cases) {
@@ -96,10 +103,13 @@ std::vector<Row> run_all(const StudyOptions& options, const std::vector<HardCase
   in_children(count, options.jobs, task, [&](size_t i, const ChildEnd& end) {
     const HardCase& hard = cases[i / 2];
     const char* backend = backends[i % 2];
-    if (end.code != 0) throw EnvironmentError(fmt::format("{} on {}: {}", hard.name, backend, end.text));
-    rows[i] = end.signal == 0
-                  ? nlohmann::json::parse(end.text).get<Row>()
-                  : hard_row_without(hard, backend, fmt::format("crashed with signal {}", end.signal));
+    if (end.signal != 0) {
+      rows[i] = hard_row_without(hard, backend, fmt::format("crashed with signal {}", end.signal));
+    } else if (end.code != 0) {
+      rows[i] = hard_row_without(hard, backend, fmt::format("failed: {}", end.text));
+    } else {
+      rows[i] = nlohmann::json::parse(end.text).get<Row>();
+    }
     fmt::print(stderr, "{:>4}/{} {:6.1f} s  {} on {}: {}\n", ++ended, count, end.seconds, hard.name, backend,
                rows[i].back());
   });

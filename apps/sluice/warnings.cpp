@@ -22,12 +22,20 @@ void warn_of_unused_opengl(const MachineOptions& options, bool quiet) {
 
 namespace {
 
-/// What often helps against a run that became invalid in `step`.
-std::string remedy(const Scene& scene, const RunStatistics& statistics, uint64_t step) {
-  const std::string smaller_dt = "a smaller " + dt_key(scene);
+/// The key that makes the steps of a run shorter.
+std::string steps_key(const Scene& scene) { return scene.adaptive ? "time.cfl" : dt_key(scene); }
+
+/// What often helps against a run that became invalid.
+std::string remedy(const Scene& scene, const RunStatistics& statistics, const Failure& failure) {
+  if (failure.collapsed && scene.method == PressureMethod::iisph) {
+    return "a smaller time.dt_min may help, but not against a start that is compressed: IISPH undoes that in "
+           "one step, however short, and over several with a pressure.iisph.source_weight such as 0.1";
+  }
+  if (failure.collapsed) return "a smaller time.dt_min often helps";
+  const std::string smaller_dt = "a smaller " + steps_key(scene);
   if (scene.viscosity_model == ViscosityModel::xsph && scene.viscosity > largest_alpha)
     return fmt::format("a viscosity.coefficient below {:g} helps", largest_alpha);
-  if (step <= 10) {
+  if (failure.step <= 10) {
     return fmt::format(
         "so early, look whether fluid starts inside a wall or in other fluid; otherwise {} often "
         "helps",
@@ -48,7 +56,7 @@ std::string solver_remedy(const Scene& scene) {
   if (scene.iisph.solver == Solver::jacobi) text += "pressure.iisph.solver \"barzilai-borwein\", ";
   if (scene.boundary_model == BoundaryModel::mirror && scene.iisph.wall == Wall::thesis)
     text += "pressure.iisph.wall \"symmetric\", ";
-  return text + fmt::format("a smaller {} or a larger pressure.iisph.max_iterations", dt_key(scene));
+  return text + fmt::format("a smaller {} or a larger pressure.iisph.max_iterations", steps_key(scene));
 }
 
 }  // namespace
@@ -56,13 +64,12 @@ std::string solver_remedy(const Scene& scene) {
 std::string failure_text(const Scene& scene, const RunStatistics& statistics, const Failure& failure) {
   return fmt::format("{} at step {}, time {:g}, particle {} near ({:g}, {:g}); {}", failure.reason,
                      failure.step, failure.time, failure.id, failure.x.x, failure.x.y,
-                     remedy(scene, statistics, failure.step));
+                     remedy(scene, statistics, failure));
 }
 
-namespace {
-
-std::string loss_text(const RunStatistics& statistics, const std::vector<Loss>& losses) {
+void warn_of_losses(const RunStatistics& statistics, const std::vector<Loss>& losses, bool quiet) {
   constexpr size_t most_named = 5;
+  if (statistics.lost() == 0) return;
   std::string text = fmt::format("{} particles left the domain", statistics.lost());
   for (size_t k = 0; k < std::min(losses.size(), most_named); ++k) {
     const Loss& loss = losses[k];
@@ -70,10 +77,8 @@ std::string loss_text(const RunStatistics& statistics, const std::vector<Loss>& 
                         loss.id, loss.step, loss.time, loss.x.x, loss.x.y);
   }
   if (losses.size() > most_named) text += fmt::format("; and {} more", losses.size() - most_named);
-  return text;
+  warn(quiet, text);
 }
-
-}  // namespace
 
 void warn_of_poor_run(const Scene& scene, const RunStatistics& statistics, const std::vector<Loss>& losses,
                       bool quiet) {
@@ -83,7 +88,7 @@ void warn_of_poor_run(const Scene& scene, const RunStatistics& statistics, const
   }
   if (statistics.cfl_max() > 1) {
     warn(quiet, fmt::format("particles moved by up to {:.3g} spacings in one step; use a smaller {}",
-                            statistics.cfl_max(), dt_key(scene)));
+                            statistics.cfl_max(), steps_key(scene)));
   }
   if (statistics.compression_mean() > 0.05) {
     warn(quiet, fmt::format("the fluid is compressed by {:.0f} % on average; use {}a smaller {}",
@@ -91,9 +96,9 @@ void warn_of_poor_run(const Scene& scene, const RunStatistics& statistics, const
                             scene.method == PressureMethod::iisph
                                 ? ""
                                 : fmt::format("a larger {} or ", stiffness_key(scene.method)),
-                            dt_key(scene)));
+                            steps_key(scene)));
   }
-  if (statistics.lost() > 0) warn(quiet, loss_text(statistics, losses));
+  warn_of_losses(statistics, losses, quiet);
 }
 
 }  // namespace sluice
