@@ -298,6 +298,8 @@ StepReport Simulator::step(double end) {
   report.dt = params_.dt;
   if (stands && !control_) report.diagnostics = read_diagnostics();
   if (!stands) report.diagnostics = diagnostics_;
+  if (stands && report.diagnostics.finite() && report.diagnostics.lost != diagnostics_.lost)
+    losses_.note(report, params_, ids(Field::id), vectors(Field::x_in));
   find_failure(report, stands);
   diagnostics_ = report.diagnostics;
   if (control_) next_dt_ = control_->next(params_.dt, diagnostics_);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/backend.hpp"
+#include "core/losses.hpp"
 #include "core/plan.hpp"
 #include "core/report.hpp"
 #include "core/sampling.hpp"
@@ -41,6 +42,8 @@ class Simulator {
   void change_dt(double dt);
   const std::optional<Failure>& failure() const { return failure_; }
   const Plan& plan() const { return plan_; }
+  /// The particles that left the domain, as far as their number changed when they did.
+  const std::vector<Loss>& losses() const { return losses_.all(); }
 
   /// The state after the last step, or the last finite one before it. At step 0 the density is that of the
   /// start.
@@ -88,6 +91,7 @@ class Simulator {
   double time_before_ = 0;
   Diagnostics diagnostics_;        ///< of the last step
   bool last_state_stands_ = true;  ///< what the last step led to can be shown
+  Losses losses_;
   std::optional<Failure> failure_;
 };
 

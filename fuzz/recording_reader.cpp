@@ -34,12 +34,12 @@ void seal(std::string& bytes) {
   using recording::Tail;
   if (bytes.size() < sizeof(Tail)) return;
   const size_t end = bytes.size() - sizeof(Tail);
-  auto tail = recording::read_from<Tail>(bytes, end);
+  auto tail = read_from<Tail>(bytes, end);
   bytes.resize(end);
-  bytes += recording::bytes_of(end - tail.frames * sizeof(recording::IndexEntry));
-  bytes += recording::bytes_of(tail.frames);
-  bytes += recording::bytes_of(XXH3_64bits(bytes.data(), bytes.size()));
-  bytes += recording::bytes_of(Tail().end);
+  bytes += bytes_of(end - tail.frames * sizeof(recording::IndexEntry));
+  bytes += bytes_of(tail.frames);
+  bytes += bytes_of(XXH3_64bits(bytes.data(), bytes.size()));
+  bytes += bytes_of(Tail().end);
 }
 
 /// The claim that the file breaks, or nothing.

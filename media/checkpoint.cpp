@@ -66,7 +66,9 @@ bool is_plausible(const RunClock& clock, const Scene& scene) {
 }
 
 bool is_plausible(const RunCounts& counts, const RunClock& clock) {
-  return counts.steps == clock.steps && counts.not_converged <= counts.steps;
+  const bool finite = std::isfinite(counts.compression_sum) && std::isfinite(counts.compression_max) &&
+                      std::isfinite(counts.cfl_max) && std::isfinite(counts.dt_max);
+  return finite && counts.steps == clock.steps && counts.not_converged <= counts.steps;
 }
 
 /// Offsets of the parts of a file whose header has this size.
@@ -133,6 +135,8 @@ void read_state(CheckedFile& file, const Parts& parts, Checkpoint& found) {
   state.clock = facts.clock;
   size_t k = 0;
   for (double* number : numbers_of(state.diagnostics)) *number = facts.diagnostics[k++];
+  if (!std::ranges::all_of(facts.diagnostics, [](double number) { return std::isfinite(number); }))
+    file.refuse_altered();
   state.diagnostics.lost = facts.counts.lost;
   state.x.resize(facts.particles);
   state.v.resize(facts.particles);

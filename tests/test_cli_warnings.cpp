@@ -50,6 +50,37 @@ TEST(CliWarnings, TimeStepsThatSoundOutruns) {
   EXPECT_EQ(warnings_of(one_step("ssph", "time.dt=0.014")), "");
 }
 
+TEST(CliWarnings, TimeStepsTooLongForTheDepth) {
+  expect_warning({"--steps", "1", "--set", "viscosity.coefficient=0", "--set", "time.dt=0.2"},
+                 "dt sqrt(g depth) / spacing is 1.2, and above about 0.8 the pressure of deep fluid pushes "
+                 "particles through the floor; use a smaller time.dt");
+  EXPECT_EQ(warnings_of({"--steps", "1", "--set", "viscosity.coefficient=0", "--set", "time.dt=0.13"}), "");
+}
+
+// Steps that adapt keep below every bound by themselves, but not below dt_min.
+TEST(CliWarnings, OfAdaptiveStepsTheSmallestCounts) {
+  const auto adaptive = [](const std::string& least) {
+    return Words{"--steps", "1",
+                 "--set",   "viscosity.coefficient=0",
+                 "--set",   "time.cfl=0.4",
+                 "--set",   "time.dt_max=1",
+                 "--set",   "time.dt_min=" + least};
+  };
+  expect_warning(adaptive("0.2"), "dt sqrt(g depth) / spacing is 1.2");
+  expect_warning(adaptive("0.2"), "use a smaller time.dt_min");
+  EXPECT_EQ(warnings_of(adaptive("0.01")), "");
+}
+
+TEST(CliWarnings, SoundSlowerThanAFall) {
+  const auto stiffness = [](const std::string& k) {
+    return Words{"--steps", "1", "--set", "pressure.method=ssph", "--set", "pressure.ssph.stiffness=" + k};
+  };
+  expect_warning(stiffness("2e3"),
+                 "the speed of sound is 44.7, and fluid may hit a wall at 70.9; below that it goes through "
+                 "walls; use a larger pressure.ssph.stiffness");
+  EXPECT_EQ(warnings_of(stiffness("1e4")), "");
+}
+
 TEST(CliWarnings, MirrorWallsOfTooFewLayers) {
   expect_warning({"--steps", "0", "--set", "boundary.container.0.layers=2"},
                  "boundary.container.0.layers is 2, and mirror samples fill the kernel with 3");

@@ -184,7 +184,7 @@ int report_end(const RunSummary& summary, const RunEnd& end, bool quiet) {
                failure_text(summary.scene, summary.statistics, *failure));
     return 1;
   }
-  warn_of_poor_run(summary.scene, summary.statistics, quiet);
+  warn_of_poor_run(summary.scene, summary.statistics, summary.simulator.losses(), quiet);
   if (interrupted()) {
     const std::string where = end.at_time()
                                   ? fmt::format("at time {:g} of {:g}", summary.simulator.time(), end.time)

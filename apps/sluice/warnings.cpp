@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 
 #include "core/time_step.hpp"
@@ -58,7 +59,24 @@ std::string failure_text(const Scene& scene, const RunStatistics& statistics, co
                      remedy(scene, statistics, failure.step));
 }
 
-void warn_of_poor_run(const Scene& scene, const RunStatistics& statistics, bool quiet) {
+namespace {
+
+std::string loss_text(const RunStatistics& statistics, const std::vector<Loss>& losses) {
+  constexpr size_t most_named = 5;
+  std::string text = fmt::format("{} particles left the domain", statistics.lost());
+  for (size_t k = 0; k < std::min(losses.size(), most_named); ++k) {
+    const Loss& loss = losses[k];
+    text += fmt::format("{} particle {} at step {}, time {:g}, near ({:g}, {:g})", k == 0 ? ":" : ";",
+                        loss.id, loss.step, loss.time, loss.x.x, loss.x.y);
+  }
+  if (losses.size() > most_named) text += fmt::format("; and {} more", losses.size() - most_named);
+  return text;
+}
+
+}  // namespace
+
+void warn_of_poor_run(const Scene& scene, const RunStatistics& statistics, const std::vector<Loss>& losses,
+                      bool quiet) {
   if (statistics.not_converged() > 0) {
     warn(quiet, fmt::format("the pressure of {} of {} steps did not converge; use {}",
                             statistics.not_converged(), statistics.steps(), solver_remedy(scene)));
@@ -75,7 +93,7 @@ void warn_of_poor_run(const Scene& scene, const RunStatistics& statistics, bool 
                                 : fmt::format("a larger {} or ", stiffness_key(scene.method)),
                             dt_key(scene)));
   }
-  if (statistics.lost() > 0) warn(quiet, fmt::format("{} particles left the domain", statistics.lost()));
+  if (statistics.lost() > 0) warn(quiet, loss_text(statistics, losses));
 }
 
 }  // namespace sluice

@@ -19,7 +19,8 @@ void warn_of_unused_opengl(const MachineOptions& options, bool quiet);
 /// Why a run became invalid, where, and what often helps.
 std::string failure_text(const Scene& scene, const RunStatistics& statistics, const Failure& failure);
 
-/// Steps that did not converge, particles that moved too far or were lost, a fluid that gives way.
-void warn_of_poor_run(const Scene& scene, const RunStatistics& statistics, bool quiet);
+/// Steps that did not converge, particles that moved too far or were lost, and where, a fluid that gives way.
+void warn_of_poor_run(const Scene& scene, const RunStatistics& statistics, const std::vector<Loss>& losses,
+                      bool quiet);
 
 }  // namespace sluice

@@ -27,4 +27,14 @@ void expect_claims_of_files(const FileKind& kind, Seeds seeds);
 /// anew from a changed part, so that it lies where the rest of the file says.
 FileKind recording_kind();
 
+/// Checkpoints of a few steps, likewise.
+FileKind checkpoint_kind();
+
+/// The JSON at the beginning of such a file, changed; as it was where the change asks for a scene that takes
+/// long because it is large, which is no mistake of the reader.
+std::string changed_header(const std::string& header, Dice& dice);
+
+/// Some number of `numbers`, or some bytes of them, replaced by an extreme one.
+void change_numbers(std::string& numbers, Dice& dice);
+
 }  // namespace sluice::test

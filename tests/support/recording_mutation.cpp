@@ -6,11 +6,8 @@
 #include <cmath>
 #include <cstring>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "core/error.hpp"
-#include "core/memory.hpp"
-#include "core/scene_file.hpp"
 #include "core/verdict.hpp"
 #include "media/recording_format.hpp"
 #include "tests/support/mutated_files.hpp"
@@ -67,10 +64,7 @@ std::string packed(const std::string& plain) {
 
 /// The index as these bytes, or made anew.
 std::string put_together(const Parts& parts, const std::string* index_bytes) {
-  std::string bytes(magic), index;
-  bytes += bytes_of(format);
-  bytes += bytes_of(static_cast<uint32_t>(parts.header.size()));
-  bytes += parts.header;
+  std::string bytes = preamble(kind, parts.header), index;
   for (size_t k = 0; k < parts.frames.size(); ++k) {
     const std::string block = packed(parts.frames[k]);
     index += bytes_of(IndexEntry{bytes.size(), block.size(), parts.index[k].step, parts.index[k].time});
@@ -82,43 +76,15 @@ std::string put_together(const Parts& parts, const std::string* index_bytes) {
   return bytes;
 }
 
-/// Whether the header asks for a scene that takes long because it is large, which is no mistake of the
-/// reader.
-bool asks_for_much(const std::string& header) {
-  constexpr double memory = 64e6;
-  const auto json = nlohmann::json::parse(header, nullptr, false);
-  try {
-    const auto overrides = json.at("overrides").get<std::vector<std::string>>();
-    const Scene scene = parse_scene(json.at("text").get<std::string>(), "a", overrides);
-    require_memory(scene, Precision::double_, memory);
-  } catch (const InputError& error) {
-    return std::string_view(error.what()).find("particles.spacing") != std::string_view::npos;
-  } catch (const nlohmann::json::exception&) {
-    return false;
-  }
-  return false;
-}
-
-void change_header(Parts& parts, Dice& dice, std::span<const std::string> texts) {
-  std::string header = parts.header;
-  for (size_t changes = 1 + dice.below(3); changes > 0; --changes)
-    dice.of(dice.one_in(2) ? byte_mutations() : scene_mutations())(header, dice, texts);
-  if (!asks_for_much(header)) parts.header = header;
-}
-
-/// Overwrites some number of a frame with an extreme one, or changes its bytes anyhow.
 void change_frame(Parts& parts, Dice& dice, std::span<const std::string> files) {
-  static constexpr std::array<double, 8> numbers{NAN, INFINITY, -INFINITY, 1e308, -0.0, 5e-324, 1e30, -1};
   std::string& frame = parts.frames[dice.below(parts.frames.size())];
   if (dice.one_in(2)) return dice.of(byte_mutations())(frame, dice, files);
-  const bool facts = dice.one_in(2);
-  const size_t at = facts ? 8 * dice.below(sizeof(FrameFacts) / 8) : dice.below(frame.size() - 8);
-  frame.replace(at, 8, bytes_of(numbers[dice.below(numbers.size())]));
+  change_numbers(frame, dice);
 }
 
 std::string changed_part(Parts parts, Dice& dice, std::span<const std::string> files) {
   const size_t which = dice.below(3);
-  if (which == 0) change_header(parts, dice, std::vector{parts.header});
+  if (which == 0) parts.header = changed_header(parts.header, dice);
   if (which == 1) change_frame(parts, dice, files);
   if (which < 2) return put_together(parts, nullptr);
   std::string index;
