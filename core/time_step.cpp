@@ -97,7 +97,7 @@ double largest_impact_speed(const Scene& scene, const Samples& samples) {
     const Vec2 v = start_velocity(scene.fluid[samples.fluid_shape[i]], scene.spacing, samples.fluid[i]);
     fastest = std::max(fastest, std::hypot(v.x, v.y));
   }
-  const double fall = std::max(fluid.largest - std::min(fluid.least, boundary.least), 0.0);
+  const double fall = std::max(fluid.largest - boundary.least, 0.0);
   return std::sqrt(fastest * fastest + 2 * fall);
 }
 

@@ -30,7 +30,7 @@ StepBounds step_bounds(const Scene& scene, const Samples& samples);
 /// The speed of sound at rest density; infinite with IISPH.
 double speed_of_sound(const Scene& scene);
 
-/// The speed that fluid which starts at `samples` may have when it has fallen as far as it can.
+/// The speed that fluid which starts at `samples` may have when it has fallen to the lowest boundary sample.
 double largest_impact_speed(const Scene& scene, const Samples& samples);
 
 /// Chooses the time steps of a scene with time.cfl.

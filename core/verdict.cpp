@@ -64,8 +64,9 @@ Failure find_failure(const StepReport& report, const Params& params, const Snaps
     failure.reason = "a value is not finite";
   } else if (too_fast(report)) {
     failure.id = fastest(after.v);
+    const Vec2 v = after.v[failure.id];  // its square, of which the totals know, may be infinite
     failure.reason = fmt::format("a particle moved by {:.3g} spacings in one step, more than {:g}",
-                                 report.diagnostics.cfl, largest_cfl);
+                                 std::hypot(v.x, v.y) * params.dt / params.h, largest_cfl);
   } else if (too_many_lost(report, params)) {
     failure.id = first_with(n, [&](uint32_t i) { return is_lost(params, after.x[i] - params.origin); });
     failure.reason = fmt::format("{} of {} particles are lost, more than {:g} %", report.diagnostics.lost,
