@@ -1,5 +1,6 @@
 // Checkpoints: every bit comes back, and a file that isn't what was written is refused by name.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <xxhash.h>
 
 #include <fstream>
@@ -193,6 +194,10 @@ TEST_F(DamagedCheckpoint, AnotherKindOfFileIsNamedSo) {
   EXPECT_EQ(refusal_of(folder / "a.rec"), other);
   EXPECT_EQ(refusal_of(folder / "nowhere.ckp"), "found no such file, expected a checkpoint");
   EXPECT_EQ(refusal_of(folder.path), "found a folder, expected a checkpoint");
+  const auto pipe = folder / "pipe";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_EQ(refusal_of(pipe), "found a file that can't be read, expected a checkpoint")
+      << "and it did not wait";
   EXPECT_EQ(message_of<InputError>([&] { Recording(folder / "whole.ckp"); }),
             (folder / "whole.ckp").string() +
                 ": found another kind of file, expected a recording made by `sluice run --record`");

@@ -71,6 +71,26 @@ TEST(CliWarnings, OfAdaptiveStepsTheSmallestCounts) {
   EXPECT_EQ(warnings_of(adaptive("0.01")), "");
 }
 
+TEST(CliWarnings, OfAdaptiveStepsTheKeyThatCounts) {
+  const Words quick{"--steps", "40",
+                    "--set",   "time.cfl=3",
+                    "--set",   "time.dt_min=1e-6",
+                    "--set",   "time.dt_max=1",
+                    "--set",   "viscosity.coefficient=0",
+                    "--set",   "fluid.gravity=[0,0]",
+                    "--set",   "boundary.container=[]",
+                    "--set",   "fluid.rect.0.velocity=[0,20]"};
+  expect_warning(quick, "spacings in one step; use a smaller time.cfl");
+}
+
+TEST(CliWarnings, StepsBeyondTheRangeOfFloatAreRefused) {
+  const ProgramResult result = run_program(
+      {"run", "breaking_dam", "--backend", "cpu", "--set", "time.dt=1e-50", "--set", "time.duration=1e-47"});
+  EXPECT_EQ(result.code, 2);
+  EXPECT_NE(result.err.find("found steps of 1e-50, beyond the range of this precision"), std::string::npos)
+      << result.err;
+}
+
 TEST(CliWarnings, SoundSlowerThanAFall) {
   const auto stiffness = [](const std::string& k) {
     return Words{"--steps", "1", "--set", "pressure.method=ssph", "--set", "pressure.ssph.stiffness=" + k};

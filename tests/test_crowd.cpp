@@ -79,6 +79,31 @@ TEST(Crowd, BothBackendsEndAlike) {
   EXPECT_EQ(on_gpu.state.v, on_cpu.state.v);
 }
 
+/// Fluid of which one thread has all the neighbours: a dense heap below and a thin spread above.
+TEST(Crowd, WhetherThereIsOneDoesNotDependOnThreads) {
+  const Scene scene = imploding();
+  Samples samples;
+  for (uint32_t i = 0; i < 500; ++i) samples.fluid.emplace_back(100 + 0.05 * (i % 25), 40 + 0.05 * (i / 25));
+  for (uint32_t i = 0; i < 3500; ++i) samples.fluid.emplace_back(10 + 12.0 * (i % 30), 80 + 12.0 * (i / 30));
+  samples.fluid_shape.assign(samples.fluid.size(), 0);
+  Scene still = scene;
+  still.fluid[0].velocity_gradient = {};
+  std::vector<uint64_t> lists;
+  std::vector<Vec2> state;
+  for (const int threads : {1, 2, 3, 16}) {
+    const auto backend = cpu::make_backend(Precision::double_, threads);
+    Growing growing(*backend);
+    Simulator simulator(still, samples, growing);
+    for (int step = 0; step < 2; ++step) simulator.step();
+    EXPECT_FALSE(simulator.failure()) << threads << " threads";
+    EXPECT_GT(growing.largest, first_list_size(4000, 1)) << "it never grew";
+    lists.push_back(growing.largest);
+    if (state.empty()) state = simulator.snapshot().x;
+    EXPECT_EQ(simulator.snapshot().x, state) << threads << " threads";
+  }
+  EXPECT_EQ(lists, std::vector<uint64_t>(lists.size(), lists.front()));
+}
+
 /// All in one cell, more than a shader could look through, in another order than that of their ids.
 TEST(Crowd, ThatIsThereFromTheStartIsRefused) {
   const Scene scene = imploding();

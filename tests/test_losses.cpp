@@ -78,6 +78,20 @@ TEST(Losses, OneThatComesBackAndLeavesAgainCountsOnce) {
   EXPECT_EQ(losses.all()[2].step, 9u);
 }
 
+// What left before a checkpoint did not leave after it.
+TEST(Losses, OfTheTimeBeforeACheckpointAreNotNamedAgain) {
+  const Scene scene = leaving();
+  const Samples samples = sample(scene);
+  const auto backend = cpu::make_backend(Precision::double_, 1);
+  Simulator first(scene, samples, *backend);
+  for (int step = 0; step < 4; ++step) first.step();
+  Simulator resumed(scene, samples, *backend, first.state());
+  for (int step = 0; step < 6; ++step) resumed.step();
+  ASSERT_EQ(resumed.losses().size(), 1u);
+  EXPECT_EQ(resumed.losses()[0].id, 1u);
+  EXPECT_EQ(resumed.losses()[0].step, 5u);
+}
+
 TEST(Losses, ARunEndsWithThem) {
   const TemporaryFolder folder;
   const ProgramResult result = run_program(
