@@ -334,7 +334,7 @@ TEST(SceneRefusals, TooManyToNumber) {
 TEST(SceneRefusals, AdaptiveStepsNeedTheirBounds) {
   expect_refusals({
       {32, "cfl = 0.4\ndt_min = 1e-40\ndt_max = 0.1",
-       "t.toml:33:12: time.duration: found 50, which is 5e+41 steps of 1e-40, expected at most "
+       "t.toml:35:12: time.duration: found 50, which is 5e+41 steps of 1e-40, expected at most "
        "9007199254740992 "
        "steps"},
       {32, "cfl = 0.4",
