@@ -144,6 +144,15 @@ TEST(AdaptiveStep, TheLastTwoShareWhatIsLeft) {
   EXPECT_THROW(past.simulator->step(0.001), std::logic_error);
 }
 
+// Whatever rounding makes of a sum of steps.
+TEST(AdaptiveStep, EndsAreMetToTheLastBit) {
+  const Scene scene = shipped("breaking_dam", adaptive(0.5, 1e-4, 0.0137));
+  for (int k = 1; k <= 30; ++k) {
+    const double end = 0.0291 + 0.00317 * k;
+    ASSERT_EQ(run_on_cpu(end, scene).reports.back().time, end);
+  }
+}
+
 TEST(AdaptiveStep, TheCutIsKnownBeforeIt) {
   Simulation simulation(shipped("breaking_dam", adaptive(0.5, 1e-4, 0.01)));
   Simulator& simulator = *simulation.simulator;

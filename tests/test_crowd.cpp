@@ -63,6 +63,8 @@ TEST(Crowd, ACollapseEndsTheRunAndIsDiagnosed) {
   EXPECT_EQ(found.failure.time, found.last.time);
   EXPECT_EQ(found.state.step, found.failure.step - 1) << "the state is the last one that a step was made of";
   EXPECT_EQ(found.failure.x, found.state.x[found.failure.id]);
+  const Vec2 middle(24 + 0.5 * 39 * 8, 24 + 0.5 * 49 * 8);
+  EXPECT_LT(glm::length(found.failure.x - middle), 4 * 8) << "where they meet";
   EXPECT_TRUE(found.last.diagnostics.finite());
   EXPECT_LE(found.largest_list, most_list_growth * first_list_size(2000, 1));
 }
