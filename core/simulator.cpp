@@ -296,13 +296,8 @@ Diagnostics Simulator::read_diagnostics() const {
 StepReport Simulator::step(double end) {
   StepReport report;
   if (control_) change_dt(cut_dt(end));
-  const bool ends = params_.dt == end - time();
   const bool stands = run_step(plan_, report);
   ++steps_;
-  if (ends && report.repeats == 0) {  // there, and not a rounding error beside it
-    time_before_ = end;
-    steps_before_ = steps_;
-  }
   report.step = steps_;
   report.time = time();
   report.dt = params_.dt;
