@@ -12,7 +12,7 @@ namespace {
 
 template <class T>
 bool equal_bytes(const std::vector<T>& a, const std::vector<T>& b) {
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0;
+  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
 }
 
 double largest_distance(const std::vector<Vec2>& a, const std::vector<Vec2>& b) {
