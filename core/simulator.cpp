@@ -268,7 +268,7 @@ void Simulator::begin_adaptive(const std::vector<Vec2>& x, const std::vector<Vec
   control_ = make_control();
   double speed = 0, acceleration = 0;
   for (size_t i = 0; i < x.size(); ++i) {
-    const Vec2 a = params_.gravity - params_.central_force * (x[i] - params_.centre);
+    const Vec2 a = external_acceleration(scene_, params_.origin + x[i]);
     speed = std::max(speed, std::hypot(v[i].x, v[i].y));
     acceleration = std::max(acceleration, std::hypot(a.x, a.y));
   }

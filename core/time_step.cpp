@@ -46,7 +46,7 @@ double potential_depth(const Scene& scene, const std::vector<Vec2>& fluid) {
   std::sort(levels.begin(), levels.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   double depth = 0;
   for (size_t i = 1; i < levels.size(); ++i) {
-    const Vec2 a = scene.gravity - scene.central_force * (levels[i].second - scene.centre);
+    const Vec2 a = external_acceleration(scene, levels[i].second);
     const double in_reach = 2 * scene.smoothing_length() * std::hypot(a.x, a.y);
     depth += std::min(levels[i].first - levels[i - 1].first, in_reach);
   }
@@ -60,6 +60,10 @@ double StepBounds::safe() const {
   for (const StepBound& bound : {viscous, sound, depth})
     shortest = std::min(shortest, bound.safe * bound.duration);
   return shortest;
+}
+
+Vec2 external_acceleration(const Scene& scene, Vec2 x) {
+  return scene.gravity - scene.central_force * (x - scene.centre);
 }
 
 double speed_of_sound(const Scene& scene) {

@@ -27,6 +27,9 @@ struct StepBounds {
 StepBound sound_bound(const Scene& scene);
 StepBounds step_bounds(const Scene& scene, const Samples& samples);
 
+/// Of the external forces on a particle at x; the stage `external` on the host.
+Vec2 external_acceleration(const Scene& scene, Vec2 x);
+
 /// The speed of sound at rest density; infinite with IISPH.
 double speed_of_sound(const Scene& scene);
 

@@ -5,8 +5,11 @@
 #include <xxhash.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "core/error.hpp"
+#include "core/summary.hpp"
+#include "core/text.hpp"
 
 namespace sluice {
 namespace {
@@ -31,6 +34,16 @@ void Checksum::add(std::string_view bytes) {
 }
 
 uint64_t Checksum::value() const { return XXH3_64bits_digest(state_->hash.get()); }
+
+std::string run_header(const Scene& scene, Precision precision, const std::string& device) {
+  const nlohmann::ordered_json json = {{"version", version()},
+                                       {"precision", name_of(precision)},
+                                       {"device", device},
+                                       {"file", std::filesystem::path(scene.file).filename().string()},
+                                       {"overrides", scene.overrides},
+                                       {"text", scene.text}};
+  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
+}
 
 std::string preamble(const FileKind& kind, std::string_view header) {
   std::string text(kind.magic);

@@ -12,6 +12,9 @@
 #include <string_view>
 #include <type_traits>
 
+#include "core/backend.hpp"
+#include "core/scene.hpp"
+
 namespace sluice {
 
 static_assert(std::endian::native == std::endian::little, "files are written as they lie in memory");
@@ -51,6 +54,9 @@ class Checksum {
   struct State;
   std::unique_ptr<State> state_;
 };
+
+/// The header of a file about a run, as JSON: the scene with its overrides, and how and where it is computed.
+std::string run_header(const Scene& scene, Precision precision, const std::string& device);
 
 /// The bytes that a file of this kind begins with: magic, format, size of the header, header.
 std::string preamble(const FileKind& kind, std::string_view header);

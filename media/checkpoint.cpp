@@ -166,16 +166,10 @@ struct CheckpointWriter::State {
 
 CheckpointWriter::CheckpointWriter(std::filesystem::path path, const Scene& scene, Precision precision,
                                    const std::string& device) {
-  const nlohmann::ordered_json json = {{"version", version()},
-                                       {"precision", name_of(precision)},
-                                       {"device", device},
-                                       {"file", std::filesystem::path(scene.file).filename().string()},
-                                       {"overrides", scene.overrides},
-                                       {"text", scene.text}};
-  const std::string header = json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
   OutputFile first(path);
   state_ = std::make_unique<State>(
-      State{std::move(path), preamble(checkpoint::kind, header), precision, std::move(first)});
+      State{std::move(path), preamble(checkpoint::kind, run_header(scene, precision, device)), precision,
+            std::move(first)});
 }
 
 CheckpointWriter::~CheckpointWriter() = default;

@@ -2,8 +2,6 @@
 #include <fmt/format.h>
 #include <zstd.h>
 
-#include <nlohmann/json.hpp>
-
 #include "core/error.hpp"
 #include "core/summary.hpp"
 #include "core/text.hpp"
@@ -89,14 +87,7 @@ RecordingWriter::RecordingWriter(const std::filesystem::path& path, const Scene&
     throw EnvironmentError(fmt::format("{}: no memory to write a recording", path.string()));
   ZSTD_CCtx_setParameter(state_->packer.get(), ZSTD_c_compressionLevel, compression_level);
   ZSTD_CCtx_setParameter(state_->packer.get(), ZSTD_c_checksumFlag, 1);
-  const nlohmann::ordered_json json = {{"version", version()},
-                                       {"precision", name_of(precision)},
-                                       {"device", device},
-                                       {"file", std::filesystem::path(scene.file).filename().string()},
-                                       {"overrides", scene.overrides},
-                                       {"text", scene.text}};
-  const std::string header = json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
-  write(preamble(kind, header));
+  write(preamble(kind, run_header(scene, precision, device)));
 }
 
 RecordingWriter::~RecordingWriter() = default;

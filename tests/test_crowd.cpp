@@ -9,22 +9,12 @@
 #include "core/error.hpp"
 #include "gpu/context.hpp"
 #include "tests/support/gpu.hpp"
+#include "tests/support/growing.hpp"
 #include "tests/support/message_of.hpp"
 #include "tests/support/simulation.hpp"
 
 namespace sluice::test {
 namespace {
-
-/// Remembers how long the neighbour list has become.
-class Growing final : public ForwardingBackend {
- public:
-  using ForwardingBackend::ForwardingBackend;
-  void resize_list(uint64_t entries) override {
-    largest = std::max(largest, entries);
-    ForwardingBackend::resize_list(entries);
-  }
-  uint64_t largest = 0;
-};
 
 /// A block without walls and hardly any pressure, all of which heads for its middle.
 Scene imploding() {

@@ -5,21 +5,11 @@
 #include "core/agree.hpp"
 #include "gpu/backend.hpp"
 #include "gpu/context.hpp"
+#include "tests/support/growing.hpp"
 #include "tests/support/simulation.hpp"
 
 namespace sluice::test {
 namespace {
-
-/// Counts how often the list grows.
-class Growing final : public ForwardingBackend {
- public:
-  explicit Growing(Backend& backend) : ForwardingBackend(backend) {}
-  void resize_list(uint64_t entries) override {
-    ++times;
-    ForwardingBackend::resize_list(entries);
-  }
-  int times = 0;
-};
 
 /// Has a list that is long enough from the beginning, and says so.
 class LongList final : public ForwardingBackend {

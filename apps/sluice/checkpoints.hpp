@@ -43,7 +43,6 @@ class Checkpoints {
 
   /// Whether there is one to be written at all.
   bool wanted() const { return writer_ && !held_; }
-  bool held() const { return held_; }
   bool due(double time) { return wanted() && clock_ && clock_->advance(time); }
   /// From here on the run is no longer that of a later end: the last one stays.
   void hold() { held_ = true; }
