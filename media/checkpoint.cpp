@@ -167,9 +167,9 @@ struct CheckpointWriter::State {
 CheckpointWriter::CheckpointWriter(std::filesystem::path path, const Scene& scene, Precision precision,
                                    const std::string& device) {
   OutputFile first(path);
-  state_ = std::make_unique<State>(
-      State{std::move(path), preamble(checkpoint::kind, run_header(scene, precision, device)), precision,
-            std::move(first)});
+  state_ = std::make_unique<State>(State{std::move(path),
+                                         preamble(checkpoint::kind, run_header(scene, precision, device)),
+                                         precision, std::move(first)});
 }
 
 CheckpointWriter::~CheckpointWriter() = default;
