@@ -66,7 +66,8 @@ std::string read_file(const std::string& path) {
 
 std::string find_scene(const std::string& scene) {
   if (is_file(scene)) return scene;
-  if (!scene.empty() && scene.find('/') == scene.npos)
+  const bool below = !scene.empty() && scene.front() != '/' && scene.find("..") == scene.npos;
+  if (below)
     for (const fs::path& folder : scene_folders())
       if (fs::path file = folder / (scene + ".toml"); is_file(file)) return file.string();
   refuse_missing(scene);

@@ -274,12 +274,10 @@ void declare_study_options(CLI::App& app, StudyOptions& options) {
   add_path(app, "--out", options.out, "Write the tables and the scenes into this folder")->type_name("DIR");
   app.add_flag("--quick", options.quick, "Only some, which take a minute");
   app.add_option("--only", options.only, "Only cases whose name has this text in it")->type_name("TEXT");
-  app.add_flag("--list", options.list, "Write the scenes, print the `sluice run` of each case, run nothing");
-  app.add_option_function<std::string>(
-         "--collect",
-         [](const std::string&) { throw InputError("--collect: this option is not available yet"); },
-         "Not available yet")
-      ->group("Not available yet");
+  app.add_flag("--list", options.list, "Print the `sluice run` of each case, one per line, and run nothing");
+  add_path(app, "--collect", options.collect,
+           "Run nothing: make the tables of what results of the lines of --list are in this folder")
+      ->type_name("DIR");
   add_number<int>(
       app, "--jobs", "1 to 1024", [](int jobs) { return jobs >= 1 && jobs <= 1024; },
       [&](int jobs) { options.jobs = jobs; }, "Cases to run at a time; 1 if not given")

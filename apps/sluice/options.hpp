@@ -79,7 +79,7 @@ struct AgreeOptions {
 
 struct StudyOptions {
   std::string name;
-  std::optional<std::filesystem::path> out;
+  std::optional<std::filesystem::path> out, collect;
   std::string only;    ///< part of the names of the cases to run
   int jobs = 1;        ///< cases at a time
   bool quick = false;  ///< only some of them

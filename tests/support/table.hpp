@@ -7,26 +7,14 @@
 #include <vector>
 
 #include "core/image.hpp"
+#include "studies/csv_table.hpp"
 
 namespace sluice::test {
 
-/// A CSV file with a header, the cells as they are written.
-struct Table {
-  std::string header;
-  std::vector<std::string> names;
-  std::vector<std::vector<std::string>> rows;
-
-  size_t size() const { return rows.size(); }
-  const std::string& text(size_t row, const std::string& name) const;
-  double at(size_t row, const std::string& name) const;
-  std::vector<double> column(const std::string& name) const;
-
- private:
-  size_t place(const std::string& name) const;
-};
+using Table = CsvTable;
 
 /// Throws when a row has more or fewer cells than the header, or when the last line is not ended.
-Table read_table(const std::filesystem::path& path);
+inline Table read_table(const std::filesystem::path& path) { return read_csv(path); }
 
 nlohmann::ordered_json read_json(const std::filesystem::path& path);
 

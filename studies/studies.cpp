@@ -1,0 +1,18 @@
+// The list of studies.
+#include "studies/density.hpp"
+#include "studies/study.hpp"
+#include "studies/validation.hpp"
+
+namespace sluice {
+
+const std::vector<Study>& studies() {
+  static const std::vector<Study> all{
+      {"density", "mean density of a resting fluid over time [Hunkler 2022, section 6.3]", density_points,
+       density_report},
+      {"validate", "cases with a known answer: error, order and limit of every method", validation_points,
+       validation_report},
+  };
+  return all;
+}
+
+}  // namespace sluice
