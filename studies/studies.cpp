@@ -1,12 +1,15 @@
 // The list of studies.
 #include "studies/density.hpp"
 #include "studies/study.hpp"
+#include "studies/timestep.hpp"
 #include "studies/validation.hpp"
 
 namespace sluice {
 
 const std::vector<Study>& studies() {
   static const std::vector<Study> all{
+      {"timestep", "largest time steps over spacing, stiffness and viscosity [Hunkler 2022, section 6.2]",
+       timestep_points, timestep_report},
       {"density", "mean density of a resting fluid over time [Hunkler 2022, section 6.3]", density_points,
        density_report},
       {"validate", "cases with a known answer: error, order and limit of every method", validation_points,

@@ -1,0 +1,55 @@
+// What the grid of time steps says.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "studies/timestep.hpp"
+
+namespace sluice {
+namespace {
+
+double median(std::vector<double> values) {
+  std::ranges::sort(values);
+  const size_t half = values.size() / 2;
+  return values.size() % 2 == 1 ? values[half] : std::max(values[half - 1], values[half]);
+}
+
+}  // namespace
+
+StepLimit step_limit(const std::vector<Trial>& trials) {
+  std::map<double, std::vector<double>> by_dt;
+  std::map<int, double> by_start;
+  for (const Trial& trial : trials) {
+    by_dt[trial.dt].push_back(trial.cfl);
+    double& largest = by_start.emplace(trial.start, 0.0).first->second;
+    if (trial.cfl <= 1) largest = std::max(largest, trial.dt);
+  }
+  StepLimit limit;
+  for (const auto& [dt, cfl] : by_dt) {
+    if (median(cfl) <= 1) limit.dt = dt;
+  }
+  if (by_start.empty()) return limit;
+  limit.least = std::numeric_limits<double>::infinity();
+  for (const auto& [start, dt] : by_start) {
+    limit.least = std::min(limit.least, dt);
+    limit.most = std::max(limit.most, dt);
+  }
+  limit.at_the_end = limit.dt == by_dt.rbegin()->first;
+  return limit;
+}
+
+double exponent(const std::vector<double>& x, const std::vector<double>& y) {
+  double sx = 0, sy = 0, sxx = 0, sxy = 0;
+  const auto n = static_cast<double>(x.size());
+  for (size_t i = 0; i < x.size(); ++i) {
+    const double u = std::log(x[i]), w = std::log(y[i]);
+    sx += u;
+    sy += w;
+    sxx += u * u;
+    sxy += u * w;
+  }
+  return (n * sxy - sx * sy) / (n * sxx - sx * sx);
+}
+
+}  // namespace sluice

@@ -1,0 +1,223 @@
+// Limits of each configuration, exponents, and the verdicts.
+#include "studies/timestep_verdicts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "media/recording.hpp"
+#include "studies/timestep.hpp"
+#include "studies/verdicts.hpp"
+
+namespace sluice {
+namespace {
+
+struct Configuration {
+  std::string figure, method;
+  double h = 0, k = 0, nu = 0;
+  auto operator<=>(const Configuration&) const = default;
+};
+
+using Limits = std::map<Configuration, StepLimit>;
+
+bool is_trial(const Result& result) { return result.point.fact("start") != "-1"; }
+
+double number_or_0(const std::string& text) { return text.empty() ? 0 : std::stod(text); }
+
+Configuration configuration_of(const Point& point) {
+  return {point.fact("figure"), point.fact("method"), std::stod(point.fact("h")),
+          number_or_0(point.fact("k")), std::stod(point.fact("nu"))};
+}
+
+Limits limits_of(const std::vector<Result>& results) {
+  std::map<Configuration, std::vector<Trial>> trials;
+  for (const Result& result : results) {
+    if (!is_trial(result)) continue;
+    trials[configuration_of(result.point)].push_back(
+        {std::stod(result.point.fact("dt")), std::stoi(result.point.fact("start")),
+         result.valid() ? result.number("cfl_max") : std::numeric_limits<double>::infinity()});
+  }
+  Limits limits;
+  for (const auto& [configuration, tried] : trials) limits[configuration] = step_limit(tried);
+  return limits;
+}
+
+TextTable limits_table(const Limits& limits) {
+  TextTable table{{"figure", "method", "h", "k", "nu", "dt", "least", "most", "dt / h", "beyond the grid"},
+                  {}};
+  for (const auto& [c, limit] : limits) {
+    table.rows.push_back({c.figure, c.method, digits(c.h), c.k > 0 ? fmt::format("{:g}", c.k) : "",
+                          digits(c.nu), digits(limit.dt, 4), digits(limit.least, 4), digits(limit.most, 4),
+                          digits(limit.dt / c.h, 3), limit.at_the_end ? "yes" : ""});
+  }
+  return table;
+}
+
+/// One quantity varied, the others kept.
+struct Curve {
+  std::vector<double> x, dt;
+
+  size_t highest() const { return static_cast<size_t>(std::ranges::max_element(dt) - dt.begin()); }
+};
+
+Curve curve_of(const Limits& limits, const std::string& method, double Configuration::*varied,
+               Configuration fixed) {
+  Curve curve;
+  for (const auto& [c, limit] : limits) {
+    fixed.*varied = c.*varied;
+    fixed.figure = c.figure;
+    fixed.method = method;
+    if (method == "IISPH") fixed.k = 0;
+    if (c != fixed || !(limit.dt > 0)) continue;
+    curve.x.push_back(c.*varied);
+    curve.dt.push_back(limit.dt);
+  }
+  return curve;
+}
+
+/// Least squares of dt = a x through no particular point.
+double slope(const Curve& curve) {
+  double sx = 0, sy = 0, sxx = 0, sxy = 0;
+  const auto n = static_cast<double>(curve.x.size());
+  for (size_t i = 0; i < curve.x.size(); ++i) {
+    sx += curve.x[i];
+    sy += curve.dt[i];
+    sxx += curve.x[i] * curve.x[i];
+    sxy += curve.x[i] * curve.dt[i];
+  }
+  return (n * sxy - sx * sy) / (n * sxx - sx * sx);
+}
+
+constexpr Configuration usual{"", "", 10, 1e5, 200};
+
+void judge_spacing(const Limits& limits, Verdicts& verdicts) {
+  const Curve iisph = curve_of(limits, "IISPH", &Configuration::h, usual);
+  const Curve ssph = curve_of(limits, "SSPH", &Configuration::h, usual);
+  if (iisph.x.size() < 2 || ssph.x.size() < 2) return;
+  const double power = exponent(iisph.x, iisph.dt);
+  verdicts.add("Fig. 6.6: IISPH's largest dt is about linear in h", "straight line but for h = 20",
+               fmt::format("exponent {:.2f}", power), std::abs(power - 1) < 0.3);
+  verdicts.add("Fig. 6.6: and steeper than SSPH's (k = 1e5)", "steeper",
+               fmt::format("slopes {:.4f} and {:.4f}", slope(iisph), slope(ssph)),
+               slope(iisph) > slope(ssph));
+  const auto ten = limits.find({"6.6", "IISPH", 10, 0, 200});
+  if (ten == limits.end()) return;
+  verdicts.add("IISPH at h = 10", "0.075",
+               fmt::format("{:.4f} ({:.4f} to {:.4f} over nine starts)", ten->second.dt, ten->second.least,
+                           ten->second.most),
+               ten->second.dt >= 0.07 && ten->second.dt <= 0.08);
+}
+
+void judge_stiffness(const Limits& limits, Verdicts& verdicts) {
+  const Curve curve = curve_of(limits, "SSPH", &Configuration::k, usual);
+  if (curve.x.size() < 4) return;
+  const bool falling = std::ranges::is_sorted(curve.dt, std::greater<>());
+  verdicts.add("Fig. 6.7: SSPH's largest dt falls with k", "falls",
+               fmt::format("{:.4f} at k = {:g}, {:.4f} at {:g}", curve.dt.front(), curve.x.front(),
+                           curve.dt.back(), curve.x.back()),
+               falling);
+  Curve stiff;
+  for (size_t i = 0; i < curve.x.size(); ++i) {
+    if (curve.x[i] < 1e5) continue;
+    stiff.x.push_back(curve.x[i]);
+    stiff.dt.push_back(curve.dt[i]);
+  }
+  const double power = exponent(stiff.x, stiff.dt);
+  verdicts.add("from k = 1e5 on about as k^-1/2", "(not given)", fmt::format("exponent {:.2f}", power),
+               std::abs(power + 0.5) < 0.1);
+  const auto iisph = limits.find({"6.6", "IISPH", 10, 0, 200});
+  if (iisph == limits.end()) return;
+  size_t nearest = 0;
+  for (size_t i = 0; i < curve.x.size(); ++i) {
+    if (std::abs(curve.dt[i] - iisph->second.dt) < std::abs(curve.dt[nearest] - iisph->second.dt))
+      nearest = i;
+  }
+  verdicts.add("Fig. 6.7: SSPH has IISPH's dt at about k = 1e4", "1e4",
+               fmt::format("nearest at k = {:g}: {:.4f}", curve.x[nearest], curve.dt[nearest]),
+               curve.x[nearest] >= 5e3 && curve.x[nearest] <= 2e4);
+}
+
+void judge_viscosity(const Limits& limits, Verdicts& verdicts) {
+  for (const std::string method : {"IISPH", "SSPH"}) {
+    const Curve curve = curve_of(limits, method, &Configuration::nu, usual);
+    if (curve.x.size() < 4) continue;
+    const double at = curve.x[curve.highest()];
+    verdicts.add(fmt::format("Fig. 6.8: {} has the largest dt at a viscosity in the middle", method),
+                 "a hump at 300 to 500",
+                 fmt::format("largest {:.4f} at nu = {:g}, {:.4f} at nu = {:g}, {:.4f} at nu = {:g}",
+                             curve.dt[curve.highest()], at, curve.dt.front(), curve.x.front(),
+                             curve.dt.back(), curve.x.back()),
+                 at >= 300 && at <= 600);
+  }
+}
+
+/// Mean kinetic energy over the last 10 of the frames of the particles that are in the domain then.
+double kinetic_energy_at_end(const Result& result) {
+  const Recording recording(result.files.recording);
+  const Scene& scene = recording.scene();
+  const size_t frames = std::min<size_t>(10, recording.frames());
+  double sum = 0;
+  for (size_t frame = recording.frames() - frames; frame < recording.frames(); ++frame) {
+    const Moment moment = recording.moment(frame);
+    for (size_t i = 0; i < moment.state.x.size(); ++i) {
+      const Vec2 x = moment.state.x[i], v = moment.state.v[i];
+      const bool inside = x.x >= scene.domain_min.x && x.x <= scene.domain_max.x && x.y >= scene.domain_min.y;
+      if (inside) sum += 0.5 * scene.mass() * (v.x * v.x + v.y * v.y);
+    }
+  }
+  return sum / static_cast<double>(frames);
+}
+
+struct End {
+  double energy = 0;
+  double lost = 0, time = 0;
+};
+
+void judge_coherence(const std::vector<Result>& results, Verdicts& verdicts) {
+  std::map<std::pair<std::string, std::string>, std::map<std::string, End>> ends;
+  for (const Result& result : results) {
+    if (is_trial(result)) continue;
+    ends[{result.point.fact("method"), result.point.fact("dt")}][result.point.fact("nu")] = {
+        kinetic_energy_at_end(result), result.number("lost"), result.number("time")};
+  }
+  for (const auto& [run, by_nu] : ends) {
+    if (by_nu.size() < 2) continue;
+    const End &inviscid = by_nu.at("0"), &viscous = by_nu.at("200");
+    const double times = inviscid.energy / viscous.energy;
+    const bool incoherent = run.first == "SSPH";
+    verdicts.add(
+        fmt::format("section 6.2: {} at nu = 0, dt = {}, {}", run.first, run.second,
+                    incoherent ? "does not stay together" : "stays together"),
+        incoherent ? "spreads over the tank" : "does not spread",
+        fmt::format("kinetic energy in the tank at the end {:.1f} times that at nu = 200; {:g} lost by "
+                    "t = {:.0f}",
+                    times, inviscid.lost, inviscid.time),
+        incoherent == (times > 10));
+  }
+}
+
+}  // namespace
+
+void add_timestep_limits(const std::vector<Result>& results, Report& report) {
+  const Limits limits = limits_of(results);
+  Verdicts verdicts;
+  judge_spacing(limits, verdicts);
+  judge_stiffness(limits, verdicts);
+  judge_viscosity(limits, verdicts);
+  judge_coherence(results, verdicts);
+  const TextTable table = limits_table(limits);
+  report.tables.push_back({"timestep_limits", table});
+  report.tables.push_back({"timestep_verdicts", verdicts.table()});
+  report.page = fmt::format("{}\n{}", table.markdown(), verdicts.table().markdown());
+  for (const auto& [c, limit] : limits) {
+    if (limit.dt > 0 && !limit.at_the_end) continue;
+    report.faults.push_back(
+        fmt::format("{} at h = {:g}, k = {:g}, nu = {:g}: the limit is {} the grid of time steps", c.method,
+                    c.h, c.k, c.nu, limit.dt > 0 ? "above" : "below"));
+  }
+}
+
+}  // namespace sluice
