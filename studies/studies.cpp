@@ -1,4 +1,5 @@
 // The list of studies.
+#include "studies/cost.hpp"
 #include "studies/density.hpp"
 #include "studies/study.hpp"
 #include "studies/timestep.hpp"
@@ -12,6 +13,8 @@ const std::vector<Study>& studies() {
        timestep_points, timestep_report},
       {"density", "mean density of a resting fluid over time [Hunkler 2022, section 6.3]", density_points,
        density_report},
+      {"cost", "what pressure costs, and what follows from it [Hunkler 2022, section 6.4]", cost_points,
+       cost_report},
       {"validate", "cases with a known answer: error, order and limit of every method", validation_points,
        validation_report},
   };
