@@ -12,7 +12,9 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr int repeats = 3;
-constexpr const char *jacobi = "IISPH, Jacobi", *barzilai_borwein = "IISPH, Barzilai-Borwein", *ssph = "SSPH";
+constexpr const char *jacobi = "IISPH, Jacobi", *barzilai_borwein = "IISPH, Barzilai-Borwein", *ssph = "SSPH",
+                     *jittered = "SSPH, jittered";
+constexpr int starts = 9;
 
 Point point_of(const Published& row, const std::string& method, const std::string& stem,
                std::vector<std::string> overrides, int repeat) {
@@ -21,7 +23,7 @@ Point point_of(const Published& row, const std::string& method, const std::strin
               .overrides = std::move(overrides)};
   point.overrides.push_back(fmt::format("time.dt={}", row.dt));
   const double share = 100 * row.pressure_seconds / row.step_seconds;
-  const bool iisph = method != ssph;
+  const bool iisph = method.starts_with("IISPH");
   point.facts = {{"scene", row.scene},
                  {"method", method},
                  {"dt", row.dt},
@@ -49,7 +51,7 @@ void add_points(std::vector<Point>& points, const Published& row, int repeat) {
 /// Of the stages that the pressure is made by. The thesis counts the acceleration by it only where it is part
 /// of the iteration.
 double pressure_seconds(const Result& result) {
-  const bool iisph = result.point.fact("method") != ssph;
+  const bool iisph = result.point.fact("method").starts_with("IISPH");
   double sum = 0;
   for (const char* stage : {"state_equation", "diagonal", "source", "warm_start", "pressure_acceleration",
                             "pressure_operator", "residual", "stop_test", "pressure_update", "pressure"}) {
@@ -60,9 +62,32 @@ double pressure_seconds(const Result& result) {
   return sum;
 }
 
+std::vector<Starts> starts_of(const std::vector<Result>& results) {
+  std::vector<Starts> all;
+  for (const Result& result : results) {
+    if (result.point.fact("method") != jittered) continue;
+    const std::string& dt = result.point.fact("dt");
+    if (all.empty() || all.back().dt != dt) all.push_back({dt});
+    Starts& those = all.back();
+    ++those.starts;
+    if (result.number("lost") > 0) ++those.with_losses;
+    those.cfl_max = std::max(those.cfl_max, result.number("cfl_max"));
+  }
+  return all;
+}
+
+TextTable starts_table(const std::vector<Starts>& all) {
+  TextTable table{{"dt", "starts", "with lost particles", "largest cfl"}, {}};
+  for (const Starts& those : all)
+    table.rows.push_back({those.dt, std::to_string(those.starts), std::to_string(those.with_losses),
+                          fmt::format("{:.2f}", those.cfl_max)});
+  return table;
+}
+
 std::vector<Cost> costs_of(const std::vector<Result>& results) {
   std::vector<Cost> costs;
   for (const Result& result : results) {
+    if (result.point.fact("method") == jittered) continue;
     const Cost cost{result.point.fact("scene"),
                     result.point.fact("method"),
                     result.point.fact("dt"),
@@ -145,13 +170,21 @@ std::vector<Point> cost_points() {
   for (int repeat = 0; repeat < repeats; ++repeat) {
     for (const Published& row : published_costs()) add_points(points, row, repeat);
   }
+  for (const char* dt : {"0.01", "0.011", "0.014", "0.016", "0.019"}) {
+    for (int start = 0; start < starts; ++start) {
+      points.push_back(point_of(
+          {"breaking_dam", ssph, dt, none, none, none}, jittered, "jittered",
+          {"pressure.method=ssph", "fluid.jitter=1e-6", fmt::format("fluid.seed={}", start)}, start));
+    }
+  }
   return points;
 }
 
 Report cost_report(const std::vector<Result>& results) {
   Report report;
   const std::vector<Cost> costs = costs_of(results);
-  const TextTable verdicts = cost_verdicts(costs);
+  const std::vector<Starts> strays = starts_of(results);
+  const TextTable verdicts = cost_verdicts(costs, strays);
   report.tables = {
       {"cost",
        tidy(results,
@@ -172,6 +205,9 @@ Report cost_report(const std::vector<Result>& results) {
     const TextTable table = page_table(costs, scene);
     if (!table.rows.empty()) report.page += fmt::format("`{}`\n\n{}\n", scene, table.markdown());
   }
+  if (!strays.empty())
+    report.page += fmt::format("SSPH on `breaking_dam` from starts jittered by 1e-6 h\n\n{}\n",
+                               starts_table(strays).markdown());
   report.page += verdicts.markdown();
   return report;
 }

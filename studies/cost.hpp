@@ -27,7 +27,14 @@ struct Cost {
   bool valid = true;
 };
 
+/// SSPH on the breaking dam from starts that differ by a millionth of a spacing.
+struct Starts {
+  std::string dt;
+  int starts = 0, with_losses = 0;
+  double cfl_max = 0;  ///< of all
+};
+
 /// The table of what the thesis concludes.
-TextTable cost_verdicts(const std::vector<Cost>& costs);
+TextTable cost_verdicts(const std::vector<Cost>& costs, const std::vector<Starts>& starts);
 
 }  // namespace sluice

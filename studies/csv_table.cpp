@@ -13,13 +13,19 @@
 namespace sluice {
 namespace {
 
+/// A quote in quotes is written twice, so that of each pair the second begins the text again.
 std::vector<std::string> split(const std::string& line) {
   std::vector<std::string> cells(1);
-  for (const char c : line) {
-    if (c == ',')
+  bool quoted = false;
+  for (size_t i = 0; i < line.size(); ++i) {
+    if (line[i] == '"') {
+      if (!quoted && i > 0 && line[i - 1] == '"') cells.back() += '"';
+      quoted = !quoted;
+    } else if (line[i] == ',' && !quoted) {
       cells.emplace_back();
-    else
-      cells.back() += c;
+    } else {
+      cells.back() += line[i];
+    }
   }
   return cells;
 }

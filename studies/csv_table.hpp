@@ -25,7 +25,7 @@ struct CsvTable {
 };
 
 /// InputError when the file can't be read, when a row has more or fewer cells than the header, or when the
-/// last line is not ended. Cells are not quoted.
+/// last line is not ended. Cells may be quoted, but hold no line ends.
 CsvTable read_csv(const std::filesystem::path& path);
 
 }  // namespace sluice

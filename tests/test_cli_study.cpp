@@ -97,6 +97,63 @@ TEST(CliStudy, ListsTheRunsAndWritesTheirScenes) {
   EXPECT_EQ(read_json(folder.path / "out" / "velocity_1e30_ssph_cpu.json")["failure"]["step"], 1);
 }
 
+/// Each line of a list, in this shell's program.
+void run_lines(const std::string& list, const std::filesystem::path& folder) {
+  for (const std::string& line : lines_of(list)) {
+    const std::string command = "cd '" + folder.string() + "' && '" SLUICE_BINARY "'" + line.substr(6);
+    ASSERT_EQ(std::system(command.c_str()), 0) << line;
+  }
+}
+
+// However the runs were made, the tables are the same.
+TEST(CliStudy, CollectsWhatTheLinesOfItsListLeave) {
+  const TemporaryFolder folder;
+  const Words these{"study", "density", "--only", "for_pressure"};
+  const auto with = [&](Words more) {
+    more.insert(more.begin(), these.begin(), these.end());
+    return run_program(more, folder.path);
+  };
+  const ProgramResult list = with({"--out", "one", "--list"});
+  EXPECT_EQ(list.code, 0) << list.err;
+  EXPECT_EQ(lines_of(list.out).size(), 1u);
+  run_lines(list.out, folder.path);
+  const ProgramResult collected = with({"--collect", "one"});
+  EXPECT_EQ(collected.code, 0) << collected.err;
+  const ProgramResult direct = with({"--out", "two", "--jobs", "2"});
+  EXPECT_EQ(direct.code, 0) << direct.err;
+  EXPECT_EQ(collected.out, direct.out);
+  EXPECT_EQ(names_in(folder.path / "one"),
+            (Words{"density.csv", "density.md", "density_windows.csv", "runs"}));
+  for (const char* name : {"density.csv", "density.md", "density_windows.csv"})
+    EXPECT_EQ(read_file(folder.path / "one" / name), read_file(folder.path / "two" / name));
+  EXPECT_EQ(read_table(folder.path / "one" / "density.csv").size(), 1000u);
+}
+
+TEST(CliStudy, CollectsWhatIsThereAndSaysWhatIsNot) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(run_program({"study", "density", "--only", "for_pressure", "--out", "out"}, folder.path).code, 0);
+  const ProgramResult result =
+      run_program({"study", "density", "--collect", "out", "--out", "tables"}, folder.path);
+  EXPECT_EQ(result.code, 0);
+  EXPECT_TRUE(has(result.err, "5 of 6 results are not there")) << result.err;
+  EXPECT_EQ(names_in(folder.path / "tables"), (Words{"density.csv", "density.md", "density_windows.csv"}));
+
+  const ProgramResult none = run_program({"study", "cost", "--collect", "out"}, folder.path);
+  EXPECT_EQ(none.code, 2);
+  EXPECT_TRUE(has(none.err, "study cost --out out --list")) << none.err;
+  EXPECT_EQ(run_program({"study", "density", "--list", "--collect", "out"}, folder.path).code, 2);
+}
+
+// What an earlier study left is not taken for a result of this one.
+TEST(CliStudy, APointThatCannotRunLeavesNoResult) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder.path / "out" / "runs" / "iisph_for_pressure.csv" / "in_the_way");
+  const ProgramResult result =
+      run_program({"study", "density", "--only", "pressure", "--out", "out"}, folder.path);
+  EXPECT_NE(result.code, 0);
+  EXPECT_TRUE(has(result.err, "iisph_for_pressure: failed: ")) << result.err;
+}
+
 // A million particles take more than a second of a processor's time: the case is killed, not the study.
 TEST(CliStudy, NamesACaseThatCrashed) {
   const TemporaryFolder folder;
