@@ -1,6 +1,7 @@
 // The list of studies.
 #include "studies/cost.hpp"
 #include "studies/density.hpp"
+#include "studies/pareto.hpp"
 #include "studies/study.hpp"
 #include "studies/timestep.hpp"
 #include "studies/validation.hpp"
@@ -17,6 +18,8 @@ const std::vector<Study>& studies() {
        cost_report},
       {"validate", "cases with a known answer: error, order and limit of every method", validation_points,
        validation_report},
+      {"pareto", "seconds of computation against error, of every method, solver and tolerance", pareto_points,
+       pareto_report},
   };
   return all;
 }

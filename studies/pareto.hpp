@@ -1,0 +1,37 @@
+// Speed against error: what a simulated second costs with every method, solver, tolerance and time step, and how
+// far off it is.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "studies/study.hpp"
+
+namespace sluice {
+
+std::vector<Point> pareto_points();
+Report pareto_report(const std::vector<Result>& results);
+
+/// A run as a point of the picture.
+struct Trade {
+  std::string scene, family, label;  ///< family: what is compared at equal error
+  double seconds = 0;                ///< of computation per unit of simulated time
+  double error = 0;
+};
+
+/// The cheapest run of a family whose error is at most that of the target.
+struct Cheapest {
+  double target = 0;
+  std::vector<Trade> by_family;  ///< from the cheapest on; families that do not get there are not in it
+};
+
+std::vector<Cheapest> cheapest_at(const std::vector<Trade>& trades, const std::vector<double>& targets);
+
+/// The least error above 0; NaN without one.
+double least_error(const std::vector<Trade>& trades);
+
+/// Root mean square distance of the displacements of two runs since their starts at the time `at`, in spacings;
+/// NaN when one of them has no frame of that time.
+double distance_between(const Result& one, const Result& other, double at);
+
+}  // namespace sluice

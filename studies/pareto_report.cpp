@@ -1,0 +1,174 @@
+// Errors of the runs, and who is cheapest at equal error.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "media/recording.hpp"
+#include "studies/pareto.hpp"
+#include "studies/pareto_scenes.hpp"
+
+namespace sluice {
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+}  // namespace
+
+double distance_between(const Result& one, const Result& other, double at) {
+  const auto displacement = [&](const Result& result) {
+    const Recording recording(result.files.recording);
+    const Moment start = recording.moment(0);
+    for (size_t frame = 0; frame < recording.frames(); ++frame) {
+      Moment moment = recording.moment(frame);
+      if (std::abs(moment.report.time - at) > 1e-6 * at) continue;
+      for (size_t i = 0; i < moment.state.x.size(); ++i) moment.state.x[i] -= start.state.x[i];
+      return moment.state.x;
+    }
+    return std::vector<Vec2>();
+  };
+  const std::vector<Vec2> a = displacement(one), b = displacement(other);
+  if (a.size() != b.size() || a.empty()) return unknown;
+  double sum = 0;
+  for (size_t i = 0; i < a.size(); ++i) sum += glm::dot(a[i] - b[i], a[i] - b[i]);
+  return std::sqrt(sum / static_cast<double>(a.size())) / one.number("settings/particles/spacing");
+}
+
+namespace {
+
+using namespace pareto;
+
+const ParetoScene& scene_of(const std::string& name) {
+  const auto found = std::ranges::find_if(pareto_scenes(), [&](const ParetoScene& scene) { return scene.name == name; });
+  return *found;
+}
+
+struct Errors {
+  double seconds = unknown, mean = unknown, max = unknown, distance = unknown, reference = unknown;
+};
+
+bool is_converged(const Result& result) { return result.point.fact("family") == converged; }
+
+const Result* converged_for(const std::vector<Result>& results, const Result& result) {
+  const std::string stem = fmt::format("{}_{}_{}_", result.point.fact("scene"), result.point.fact("compared_with"),
+                                       result.point.fact("n"));
+  const auto found = std::ranges::find_if(results, [&](const Result& other) {
+    return is_converged(other) && other.point.name.starts_with(stem);
+  });
+  return found == results.end() ? nullptr : &*found;
+}
+
+Errors errors_of(const std::vector<Result>& results, const Result& result) {
+  if (!result.valid()) return {};
+  const ParetoScene& scene = scene_of(result.point.fact("scene"));
+  Errors errors{result.number("seconds/total") / result.number("time"), result.number("compression_mean"),
+                result.number("compression_max")};
+  if (const Result* converged = converged_for(results, result); converged != nullptr && scene.before_chaos > 0)
+    errors.distance = distance_between(result, *converged, scene.before_chaos);
+  for (const Measure& measure : scene.validation().measure(result)) {
+    if (measure.quantity == scene.quantity) errors.reference = measure.error;
+  }
+  return errors;
+}
+
+struct Kind {
+  const char* name;
+  double Errors::* error;
+  std::vector<double> targets;  ///< or none: multiples of the least
+};
+
+const std::vector<Kind>& kinds() {
+  static const std::vector<Kind> all{{"mean compression", &Errors::mean, {1e-2, 1e-3}},
+                                     {"largest compression", &Errors::max, {0.1, 0.03}},
+                                     {"distance to a converged run, in h", &Errors::distance, {}},
+                                     {"error against the reference", &Errors::reference, {}}};
+  return all;
+}
+
+struct Observed {
+  const Result* result;
+  Errors errors;
+};
+
+std::vector<Trade> trades_of(const std::vector<Observed>& all, const std::string& scene, const Kind& kind) {
+  std::vector<Trade> trades;
+  for (const auto& [result, errors] : all) {
+    const Point& point = result->point;
+    if (point.fact("scene") != scene || point.fact("machine") != on_double ||
+        point.fact("n") != std::to_string(fine) || std::isnan(errors.*kind.error))
+      continue;
+    trades.push_back({scene, point.fact("family"), fmt::format("{}, dt = {}", point.fact("curve"), point.fact("dt")),
+                      errors.seconds, errors.*kind.error});
+  }
+  return trades;
+}
+
+std::string words_for(const Cheapest& cheapest) {
+  if (cheapest.by_family.empty()) return "nobody";
+  std::string words = fmt::format("{}: {:.3g} s", cheapest.by_family[0].label, cheapest.by_family[0].seconds);
+  for (size_t i = 1; i < cheapest.by_family.size(); ++i) {
+    const Trade& trade = cheapest.by_family[i];
+    words += fmt::format("; {} {:.1f} times as long", trade.family, trade.seconds / cheapest.by_family[0].seconds);
+  }
+  return words;
+}
+
+TextTable best_table(const std::vector<Observed>& all) {
+  TextTable table{{"scene", "error", "at most", "the cheapest, and how much longer the others take"}, {}};
+  for (const ParetoScene& scene : pareto_scenes()) {
+    for (const Kind& kind : kinds()) {
+      const std::vector<Trade> trades = trades_of(all, scene.name, kind);
+      std::vector<double> targets = kind.targets;
+      if (targets.empty()) targets = {3 * least_error(trades), 1.5 * least_error(trades)};
+      if (trades.empty()) continue;
+      for (const Cheapest& cheapest : cheapest_at(trades, targets))
+        table.rows.push_back({scene.name, kind.name, fmt::format("{:.2g}", cheapest.target), words_for(cheapest)});
+    }
+  }
+  return table;
+}
+
+/// A curve on the CPU in double and float and on the GPU.
+TextTable machines_table(const std::vector<Observed>& all) {
+  TextTable table{{"scene", "curve", "dt", "machine", "seconds per unit of time", "mean compression",
+                   "distance, in h", "error against the reference"},
+                  {}};
+  for (const auto& [result, errors] : all) {
+    const Point& point = result->point;
+    if (point.fact("n") != std::to_string(coarse)) continue;
+    table.rows.push_back({point.fact("scene"), point.fact("curve"), point.fact("dt"), point.fact("machine"),
+                          fmt::format("{:.3g}", errors.seconds), fmt::format("{:.3g}", errors.mean),
+                          std::isnan(errors.distance) ? "" : fmt::format("{:.3g}", errors.distance),
+                          fmt::format("{:.3g}", errors.reference)});
+  }
+  return table;
+}
+
+}  // namespace
+
+Report pareto_report(const std::vector<Result>& results) {
+  std::vector<Observed> all;
+  std::vector<Result> shown;
+  for (const Result& result : results) {
+    if (!is_converged(result)) all.push_back({&result, errors_of(results, result)});
+  }
+  for (const Observed& observed : all) shown.push_back(*observed.result);
+  size_t next = 0;
+  Report report;
+  report.tables = {
+      {"pareto", tidy(shown,
+                      {"valid", "seconds_per_time", "compression_mean", "compression_max", "distance",
+                       "reference_error", "lost"},
+                      [&](const Result& result) -> std::vector<std::string> {
+                        const Errors& e = all[next++].errors;
+                        return {result.valid() ? "1" : "0", digits(e.seconds), digits(e.mean),  digits(e.max),
+                                digits(e.distance),         digits(e.reference), digits(result.number("lost"))};
+                      })}};
+  const TextTable best = best_table(all);
+  report.tables.push_back({"pareto_best", best});
+  report.page = fmt::format("{}\n{}", best.markdown(), machines_table(all).markdown());
+  return report;
+}
+
+}  // namespace sluice
