@@ -48,8 +48,8 @@ Words with(Words words, const Words& more) {
 /// Every curve has its smoothing and its start written out, so that it does not depend on the scene's own.
 Words start(const ParetoScene& scene, bool relaxed, double smoothing) {
   const bool relax = relaxed && scene.free_surface;
-  return {fmt::format("particles.smoothing={:g}", smoothing), fmt::format("fluid.jitter={:g}", relax ? 0.15 : 0),
-          fmt::format("fluid.relax={}", relax ? 20 : 0)};
+  return {fmt::format("particles.smoothing={:g}", smoothing),
+          fmt::format("fluid.jitter={:g}", relax ? 0.15 : 0), fmt::format("fluid.relax={}", relax ? 20 : 0)};
 }
 
 std::vector<double> halves(double longest, int count) {
@@ -58,7 +58,8 @@ std::vector<double> halves(double longest, int count) {
   return steps;
 }
 
-Curve state_equation(const ParetoScene& scene, const std::string& method, double times, const std::string& percent) {
+Curve state_equation(const ParetoScene& scene, const std::string& method, double times,
+                     const std::string& percent) {
   const bool wcsph = method == "wcsph";
   const double stiffness = times * scene.stiffness;
   Words overrides = start(scene, true, 1);
@@ -67,14 +68,22 @@ Curve state_equation(const ParetoScene& scene, const std::string& method, double
   // Their walls: the second term of the mirrored pressure gives energy to the fluid.
   if (scene.walls) overrides.push_back("boundary.model=akinci");
   const std::string title = wcsph ? "WCSPH" : "SSPH";
-  return {fmt::format("{}_{}", method, percent), title, fmt::format("{}, {} % compressible", title, percent),
-          std::move(overrides), halves(0.4 / std::sqrt(stiffness), 3), scene.walls ? "converged_akinci" : "converged"};
+  return {fmt::format("{}_{}", method, percent),
+          title,
+          fmt::format("{}, {} % compressible", title, percent),
+          std::move(overrides),
+          halves(0.4 / std::sqrt(stiffness), 3),
+          scene.walls ? "converged_akinci" : "converged"};
 }
 
-Curve iisph(const ParetoScene& scene, const std::string& stem, const std::string& label, const Words& overrides,
-            int steps) {
-  return {stem, "IISPH, Barzilai-Borwein", "IISPH, Barzilai-Borwein" + label,
-          with(with(start(scene, true, 1), recommended), overrides), halves(scene.longest, steps), "converged"};
+Curve iisph(const ParetoScene& scene, const std::string& stem, const std::string& label,
+            const Words& overrides, int steps) {
+  return {stem,
+          "IISPH, Barzilai-Borwein",
+          "IISPH, Barzilai-Borwein" + label,
+          with(with(start(scene, true, 1), recommended), overrides),
+          halves(scene.longest, steps),
+          "converged"};
 }
 
 std::vector<Curve> curves_of(const ParetoScene& scene) {
@@ -83,17 +92,18 @@ std::vector<Curve> curves_of(const ParetoScene& scene) {
     curves.push_back(state_equation(scene, method, 1, "1"));
     curves.push_back(state_equation(scene, method, 10, "0.1"));
   }
-  curves.push_back({"jacobi", "IISPH, Jacobi", "IISPH, Jacobi, 1e-3",
-                    with(start(scene, true, 1), {"pressure.iisph.solver=jacobi", "pressure.iisph.wall=symmetric",
-                                                 "pressure.iisph.warm_start=0.5"}),
-                    halves(scene.longest, 4), "converged"});
+  curves.push_back(
+      {"jacobi", "IISPH, Jacobi", "IISPH, Jacobi, 1e-3",
+       with(start(scene, true, 1), {"pressure.iisph.solver=jacobi", "pressure.iisph.wall=symmetric",
+                                    "pressure.iisph.warm_start=0.5"}),
+       halves(scene.longest, 4), "converged"});
   curves.push_back(iisph(scene, "bb_2", ", 1e-2", {"pressure.iisph.tolerance=1e-2"}, 3));
   curves.push_back(iisph(scene, "bb_3", ", 1e-3", {"pressure.iisph.tolerance=1e-3"}, 4));
   curves.push_back(iisph(scene, "bb_4", ", 1e-4", {"pressure.iisph.tolerance=1e-4"}, 4));
-  curves.push_back(iisph(scene, "bb_pressure", ", for pressure",
-                         {"pressure.iisph.stop=residual", "pressure.iisph.tolerance=1e-2",
-                          "pressure.iisph.source_weight=0.2"},
-                         3));
+  curves.push_back(iisph(
+      scene, "bb_pressure", ", for pressure",
+      {"pressure.iisph.stop=residual", "pressure.iisph.tolerance=1e-2", "pressure.iisph.source_weight=0.2"},
+      3));
   if (scene.free_surface) {
     curves.push_back(iisph(scene, "bb_lattice", ", 1e-3, lattice start", start(scene, false, 1), 3));
     curves.back().converged = "converged_lattice";
@@ -107,11 +117,10 @@ std::vector<Curve> curves_of(const ParetoScene& scene) {
 std::vector<Curve> converged_runs(const ParetoScene& scene) {
   if (scene.before_chaos == 0) return {};
   std::vector<Curve> curves;
-  for (const auto& [stem, overrides] :
-       {std::pair<std::string, Words>{"converged", {}},
-        {"converged_lattice", start(scene, false, 1)},
-        {"converged_smooth", start(scene, true, 1.2)},
-        {"converged_akinci", {"boundary.model=akinci"}}}) {
+  for (const auto& [stem, overrides] : {std::pair<std::string, Words>{"converged", {}},
+                                        {"converged_lattice", start(scene, false, 1)},
+                                        {"converged_smooth", start(scene, true, 1.2)},
+                                        {"converged_akinci", {"boundary.model=akinci"}}}) {
     if (stem == "converged_akinci" && !scene.walls) continue;
     Curve curve = iisph(scene, stem, "", with(overrides, {"pressure.iisph.tolerance=1e-5"}), 1);
     curve.family = curve.label = converged;
@@ -124,7 +133,8 @@ std::vector<Curve> converged_runs(const ParetoScene& scene) {
 struct Machine {
   const char *name, *backend, *precision;
 };
-constexpr Machine machines[] = {{on_double, "cpu", "double"}, {on_float, "cpu", "float"}, {on_gpu, "gpu", "float"}};
+constexpr Machine machines[] = {
+    {on_double, "cpu", "double"}, {on_float, "cpu", "float"}, {on_gpu, "gpu", "float"}};
 
 /// A step of about so many spacings that ends at the time of the comparison.
 double fitting(double step, const ParetoScene& scene, int n) {
@@ -132,26 +142,33 @@ double fitting(double step, const ParetoScene& scene, int n) {
   return scene.before_chaos / std::ceil(scene.before_chaos * n / step - 1e-9);
 }
 
-std::string stem_of(const ParetoScene& scene, const Curve& curve, double step, int n, const Machine& machine) {
+std::string stem_of(const ParetoScene& scene, const Curve& curve, double step, int n,
+                    const Machine& machine) {
   return fmt::format("{}_{}_{}_{:.3g}h_{}", scene.name, curve.stem, n, step,
                      std::string(machine.backend) == "gpu" ? "gpu" : machine.precision);
 }
 
 Point point_of(const ParetoScene& scene, const Curve& curve, double step, int n, const Machine& machine) {
   const ValidationCase& known = scene.validation();
-  Point point{.name = stem_of(scene, curve, step, n, machine), .scene = fmt::format("validation/{}", scene.name)};
+  Point point{.name = stem_of(scene, curve, step, n, machine),
+              .scene = fmt::format("validation/{}", scene.name)};
   point.overrides = {fmt::format("particles.spacing={:.17g}", known.length / n)};
   point.overrides.insert(point.overrides.end(), curve.overrides.begin(), curve.overrides.end());
   point.overrides.push_back(fmt::format("time.dt={:.17g}", fitting(step, scene, n)));
   point.words = known.words;
-  if (curve.family == converged) point.words.insert(point.words.end(), {"--time", fmt::format("{:g}", scene.before_chaos)});
+  if (curve.family == converged)
+    point.words.insert(point.words.end(), {"--time", fmt::format("{:g}", scene.before_chaos)});
   point.backend = machine.backend;
   point.precision = machine.precision;
   point.series = known.series;
   point.recording = known.recording;
   point.quick = n == coarse && step == curve.steps.front() && machine.name != on_gpu;
-  point.facts = {{"scene", scene.name},  {"family", curve.family}, {"curve", curve.label},
-                 {"n", std::to_string(n)}, {"machine", machine.name}, {"dt", digits(fitting(step, scene, n), 4)},
+  point.facts = {{"scene", scene.name},
+                 {"family", curve.family},
+                 {"curve", curve.label},
+                 {"n", std::to_string(n)},
+                 {"machine", machine.name},
+                 {"dt", digits(fitting(step, scene, n), 4)},
                  {"compared_with", curve.converged}};
   return point;
 }
@@ -164,7 +181,8 @@ std::vector<Point> pareto_points() {
   std::vector<Point> points;
   for (const ParetoScene& scene : pareto_scenes()) {
     for (const Curve& curve : converged_runs(scene)) {
-      for (const int n : {coarse, fine}) points.push_back(point_of(scene, curve, curve.steps[0], n, machines[0]));
+      for (const int n : {coarse, fine})
+        points.push_back(point_of(scene, curve, curve.steps[0], n, machines[0]));
     }
     for (const Curve& curve : curves_of(scene)) {
       for (const double step : curve.steps) {

@@ -1,5 +1,5 @@
-// Speed against error: what a simulated second costs with every method, solver, tolerance and time step, and how
-// far off it is.
+// Speed against error: what a simulated second costs with every method, solver, tolerance and time step, and
+// how far off it is.
 #pragma once
 
 #include <string>
@@ -30,8 +30,8 @@ std::vector<Cheapest> cheapest_at(const std::vector<Trade>& trades, const std::v
 /// The least error above 0; NaN without one.
 double least_error(const std::vector<Trade>& trades);
 
-/// Root mean square distance of the displacements of two runs since their starts at the time `at`, in spacings;
-/// NaN when one of them has no frame of that time.
+/// Root mean square distance of the displacements of two runs since their starts at the time `at`, in
+/// spacings; NaN when one of them has no frame of that time.
 double distance_between(const Result& one, const Result& other, double at);
 
 }  // namespace sluice

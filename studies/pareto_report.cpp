@@ -40,7 +40,8 @@ namespace {
 using namespace pareto;
 
 const ParetoScene& scene_of(const std::string& name) {
-  const auto found = std::ranges::find_if(pareto_scenes(), [&](const ParetoScene& scene) { return scene.name == name; });
+  const auto found =
+      std::ranges::find_if(pareto_scenes(), [&](const ParetoScene& scene) { return scene.name == name; });
   return *found;
 }
 
@@ -51,8 +52,8 @@ struct Errors {
 bool is_converged(const Result& result) { return result.point.fact("family") == converged; }
 
 const Result* converged_for(const std::vector<Result>& results, const Result& result) {
-  const std::string stem = fmt::format("{}_{}_{}_", result.point.fact("scene"), result.point.fact("compared_with"),
-                                       result.point.fact("n"));
+  const std::string stem = fmt::format("{}_{}_{}_", result.point.fact("scene"),
+                                       result.point.fact("compared_with"), result.point.fact("n"));
   const auto found = std::ranges::find_if(results, [&](const Result& other) {
     return is_converged(other) && other.point.name.starts_with(stem);
   });
@@ -64,7 +65,8 @@ Errors errors_of(const std::vector<Result>& results, const Result& result) {
   const ParetoScene& scene = scene_of(result.point.fact("scene"));
   Errors errors{result.number("seconds/total") / result.number("time"), result.number("compression_mean"),
                 result.number("compression_max")};
-  if (const Result* converged = converged_for(results, result); converged != nullptr && scene.before_chaos > 0)
+  if (const Result* converged = converged_for(results, result);
+      converged != nullptr && scene.before_chaos > 0)
     errors.distance = distance_between(result, *converged, scene.before_chaos);
   for (const Measure& measure : scene.validation().measure(result)) {
     if (measure.quantity == scene.quantity) errors.reference = measure.error;
@@ -74,7 +76,7 @@ Errors errors_of(const std::vector<Result>& results, const Result& result) {
 
 struct Kind {
   const char* name;
-  double Errors::* error;
+  double Errors::*error;
   std::vector<double> targets;  ///< or none: multiples of the least
 };
 
@@ -98,8 +100,9 @@ std::vector<Trade> trades_of(const std::vector<Observed>& all, const std::string
     if (point.fact("scene") != scene || point.fact("machine") != on_double ||
         point.fact("n") != std::to_string(fine) || std::isnan(errors.*kind.error))
       continue;
-    trades.push_back({scene, point.fact("family"), fmt::format("{}, dt = {}", point.fact("curve"), point.fact("dt")),
-                      errors.seconds, errors.*kind.error});
+    trades.push_back({scene, point.fact("family"),
+                      fmt::format("{}, dt = {}", point.fact("curve"), point.fact("dt")), errors.seconds,
+                      errors.*kind.error});
   }
   return trades;
 }
@@ -109,7 +112,8 @@ std::string words_for(const Cheapest& cheapest) {
   std::string words = fmt::format("{}: {:.3g} s", cheapest.by_family[0].label, cheapest.by_family[0].seconds);
   for (size_t i = 1; i < cheapest.by_family.size(); ++i) {
     const Trade& trade = cheapest.by_family[i];
-    words += fmt::format("; {} {:.1f} times as long", trade.family, trade.seconds / cheapest.by_family[0].seconds);
+    words +=
+        fmt::format("; {} {:.1f} times as long", trade.family, trade.seconds / cheapest.by_family[0].seconds);
   }
   return words;
 }
@@ -123,7 +127,8 @@ TextTable best_table(const std::vector<Observed>& all) {
       if (targets.empty()) targets = {3 * least_error(trades), 1.5 * least_error(trades)};
       if (trades.empty()) continue;
       for (const Cheapest& cheapest : cheapest_at(trades, targets))
-        table.rows.push_back({scene.name, kind.name, fmt::format("{:.2g}", cheapest.target), words_for(cheapest)});
+        table.rows.push_back(
+            {scene.name, kind.name, fmt::format("{:.2g}", cheapest.target), words_for(cheapest)});
     }
   }
   return table;
@@ -156,15 +161,19 @@ Report pareto_report(const std::vector<Result>& results) {
   for (const Observed& observed : all) shown.push_back(*observed.result);
   size_t next = 0;
   Report report;
-  report.tables = {
-      {"pareto", tidy(shown,
-                      {"valid", "seconds_per_time", "compression_mean", "compression_max", "distance",
-                       "reference_error", "lost"},
-                      [&](const Result& result) -> std::vector<std::string> {
-                        const Errors& e = all[next++].errors;
-                        return {result.valid() ? "1" : "0", digits(e.seconds), digits(e.mean),  digits(e.max),
-                                digits(e.distance),         digits(e.reference), digits(result.number("lost"))};
-                      })}};
+  report.tables = {{"pareto", tidy(shown,
+                                   {"valid", "seconds_per_time", "compression_mean", "compression_max",
+                                    "distance", "reference_error", "lost"},
+                                   [&](const Result& result) -> std::vector<std::string> {
+                                     const Errors& e = all[next++].errors;
+                                     return {result.valid() ? "1" : "0",
+                                             digits(e.seconds),
+                                             digits(e.mean),
+                                             digits(e.max),
+                                             digits(e.distance),
+                                             digits(e.reference),
+                                             digits(result.number("lost"))};
+                                   })}};
   const TextTable best = best_table(all);
   report.tables.push_back({"pareto_best", best});
   report.page = fmt::format("{}\n{}", best.markdown(), machines_table(all).markdown());
