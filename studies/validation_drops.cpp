@@ -44,20 +44,18 @@ std::vector<std::string> with_method(const char* method, double dt) {
 
 std::vector<Measure> oscillation_measures(const IdealDrop& drop, const std::vector<Blob>& blobs) {
   const double period = drop.period();
-  std::vector<double> times, a, b, lead, energy;
+  std::vector<double> times, a, b, lead, energy;  // a and b: errors
   double largest = 0;
   for (const Blob& blob : blobs) {
+    const IdealDrop::State exact = drop.at(blob.time);
     times.push_back(blob.time);
-    a.push_back(blob.semi_axes.x);
-    b.push_back(blob.semi_axes.y);
+    a.push_back(blob.semi_axes.x - exact.a);
+    b.push_back(blob.semi_axes.y - exact.b);
     lead.push_back(blob.semi_axes.x - blob.semi_axes.y);
     energy.push_back(blob.kinetic + drop.omega_squared * blob.distance_squared / 2);
-    if (blob.time > period) continue;
-    const IdealDrop::State exact = drop.at(blob.time);
-    largest = std::max({largest, std::abs(a.back() - exact.a), std::abs(b.back() - exact.b)});
+    if (blob.time <= period) largest = std::max({largest, std::abs(a.back()), std::abs(b.back())});
   }
-  const double after = std::max(std::abs(value_at(period, times, a) - drop.radius),
-                                std::abs(value_at(period, times, b) - drop.radius));
+  const double after = std::max(std::abs(value_at(period, times, a)), std::abs(value_at(period, times, b)));
   const double found = time_of_change(2, times, lead);
   const double lost = (energy.front() - value_at(period, times, energy)) / blobs.front().kinetic;
   return {{"semi-axes after a period", unknown_number, unknown_number, after / drop.radius},
