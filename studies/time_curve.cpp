@@ -50,14 +50,13 @@ double TimeCurve::at(double t) const {
   return value[after - 1] + part * (value[after] - value[after - 1]);
 }
 
-double distance(const TimeCurve& ours, const TimeCurve& reference, bool relative, double delay) {
+double distance(const TimeCurve& ours, const TimeCurve& reference, double delay) {
   double squares = 0;
   for (size_t i = 0; i < reference.time.size(); ++i) {
-    const double scale = relative ? reference.value[i] : 1;
-    const double off = (ours.at(reference.time[i] - delay) - reference.value[i]) / scale;
+    const double off = ours.at(reference.time[i] - delay) - reference.value[i];
     squares += off * off;
   }
-  return std::sqrt(squares / static_cast<double>(reference.time.size()));
+  return std::sqrt(squares / static_cast<double>(reference.time.size())) / std::ranges::max(reference.value);
 }
 
 double fitted_delay(const TimeCurve& ours, const TimeCurve& reference, double least, double most) {
@@ -66,7 +65,7 @@ double fitted_delay(const TimeCurve& ours, const TimeCurve& reference, double le
   double best = least, smallest = std::numeric_limits<double>::infinity();
   for (int i = 0; i <= tries; ++i) {
     const double delay = least + (most - least) * i / tries;
-    const double off = distance(ours, reference, true, delay);
+    const double off = distance(ours, reference, delay);
     if (off < smallest) {
       smallest = off;
       best = delay;

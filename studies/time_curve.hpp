@@ -17,11 +17,11 @@ struct TimeCurve {
   double at(double t) const;
 };
 
-/// Root of the mean square of ours(t - delay) - reference(t), at the times of the reference. `relative`: of
-/// the quotient's distance from 1 instead.
-double distance(const TimeCurve& ours, const TimeCurve& reference, bool relative, double delay = 0);
+/// Root of the mean square of ours(t - delay) - reference(t), at the times of the reference, relative to the
+/// largest value of the reference.
+double distance(const TimeCurve& ours, const TimeCurve& reference, double delay = 0);
 
-/// The delay between `least` and `most` for which the relative distance is smallest.
+/// The delay between `least` and `most` for which the distance is smallest, to a two-thousandth of the range.
 double fitted_delay(const TimeCurve& ours, const TimeCurve& reference, double least, double most);
 
 /// A decaying oscillation around 0.

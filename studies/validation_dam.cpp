@@ -59,35 +59,40 @@ std::vector<Measure> measure(const Result& result) {
   const double end = front.time.back();
   // The gate of the experiment takes time to open; 0.25 is about what it needs.
   const double delay = fitted_delay(ours.front, front, -0.5, 1);
-  return {{"height", unknown, unknown, distance(ours.height, height, false)},
-          {"front", ours.front.at(end), front.value.back(), distance(ours.front, front, true)},
-          {"front_offset", delay, unknown, distance(ours.front, front, true, delay)},
+  return {{"height", unknown, unknown, distance(ours.height, height)},
+          {"front", ours.front.at(end), front.value.back(), distance(ours.front, front)},
+          {"front_offset", delay, unknown, distance(ours.front, front, delay)},
           {"front_koshizuka", ours.front.at(koshizuka.time.back()), koshizuka.value.back(),
-           distance(ours.front, koshizuka, true)},
+           distance(ours.front, koshizuka)},
           energy_of(result, ours)};
 }
 
-std::vector<std::string> iisph(int n) { return {fmt::format("time.dt={:.17g}", 0.16 / n)}; }
+using Settings = std::vector<std::string>;
 
-std::vector<std::string> iisph_unsmoothed(int n) {
-  std::vector<std::string> settings = iisph(n);
-  settings.push_back("particles.smoothing=1");
+Settings iisph_and(int n, const Settings& more) {
+  Settings settings{fmt::format("time.dt={:.17g}", 0.16 / n)};
+  settings.insert(settings.end(), more.begin(), more.end());
   return settings;
 }
+Settings iisph(int n) { return iisph_and(n, {}); }
+Settings iisph_unsmoothed(int n) { return iisph_and(n, {"particles.smoothing=1"}); }
+Settings iisph_lattice(int n) { return iisph_and(n, {"fluid.jitter=0", "fluid.relax=0"}); }
+/// Its solve ends before the pressure has found its way down a column that starts without one: the water
+/// falls, and is thrown back.
+Settings iisph_recommended(int n) { return iisph_and(n, {"pressure.iisph.tolerance=1e-3"}); }
 
-std::vector<std::string> iisph_lattice(int n) {
-  std::vector<std::string> settings = iisph(n);
-  settings.insert(settings.end(), {"fluid.jitter=0", "fluid.relax=0"});
-  return settings;
+Settings iisph_for_pressure(int n) {
+  return {fmt::format("time.dt={:.17g}", 0.3 / n), "pressure.iisph.stop=residual",
+          "pressure.iisph.tolerance=1e-2", "pressure.iisph.source_weight=0.2"};
 }
 
 /// A state equation is not at peace with the mirror wall unless viscosity takes what the wall gives.
-std::vector<std::string> state_equation(const char* method, int n) {
+Settings state_equation(const char* method, int n) {
   return {fmt::format("pressure.method={}", method), "boundary.model=akinci",
           fmt::format("pressure.{}.dt={:.17g}", method, 0.028 / n)};
 }
-std::vector<std::string> ssph(int n) { return state_equation("ssph", n); }
-std::vector<std::string> wcsph(int n) { return state_equation("wcsph", n); }
+Settings ssph(int n) { return state_equation("ssph", n); }
+Settings wcsph(int n) { return state_equation("wcsph", n); }
 
 }  // namespace
 
@@ -117,9 +122,11 @@ double largest_rise(const std::vector<double>& kinetic, const std::vector<double
 ValidationCase dam_case() {
   return {.name = "dam_break",
           .limits = {{"height", 0.03, 0.015}, {"front_offset", 0.025, 0.012}, {"energy", 0.005, 0.005}},
-          .variants = {{"iisph", "IISPH, recommended", iisph},
-                       {"iisph_unsmoothed", "IISPH, smoothing 1", iisph_unsmoothed},
-                       {"iisph_lattice", "IISPH, from a lattice", iisph_lattice},
+          .variants = {{"iisph", "IISPH, tolerance 1e-4", iisph},
+                       {"iisph_recommended", "IISPH, recommended", iisph_recommended},
+                       {"iisph_for_pressure", "IISPH, for pressure", iisph_for_pressure},
+                       {"iisph_unsmoothed", "IISPH, tolerance 1e-4, smoothing 1", iisph_unsmoothed},
+                       {"iisph_lattice", "IISPH, tolerance 1e-4, from a lattice", iisph_lattice},
                        {"ssph", "SSPH", ssph},
                        {"wcsph", "WCSPH", wcsph}},
           .words = {"--fps", "12"},

@@ -74,12 +74,13 @@ std::vector<std::string> iisph_for_pressure(int n) {
   return settings;
 }
 
-std::vector<std::string> ssph(int n) {
-  return {"pressure.method=ssph", fmt::format("pressure.ssph.dt={:.17g}", 0.06 / n)};
+/// The mirror wall gives energy to a state equation. More viscosity takes it, and moves nothing at rest.
+std::vector<std::string> state_equation(const char* method, int n) {
+  return {fmt::format("pressure.method={}", method), fmt::format("viscosity.coefficient={:.17g}", 0.4 / n),
+          fmt::format("pressure.{}.dt={:.17g}", method, 0.06 / n)};
 }
-std::vector<std::string> wcsph(int n) {
-  return {"pressure.method=wcsph", fmt::format("pressure.wcsph.dt={:.17g}", 0.06 / n)};
-}
+std::vector<std::string> ssph(int n) { return state_equation("ssph", n); }
+std::vector<std::string> wcsph(int n) { return state_equation("wcsph", n); }
 
 }  // namespace
 
