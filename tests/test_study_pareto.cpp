@@ -1,10 +1,12 @@
 // Who is cheapest at equal error, and how far runs are apart.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "media/recording.hpp"
 #include "studies/pareto.hpp"
+#include "studies/pareto_scenes.hpp"
 #include "tests/support/run_program.hpp"
 #include "tests/support/simulation.hpp"
 
@@ -31,6 +33,13 @@ TEST(Cheapest, OfEachFamilyAtMostAsFarOff) {
 TEST(Cheapest, LeastErrorIsThatOfANumber) {
   EXPECT_EQ(least_error(trades), 0.009);
   EXPECT_TRUE(std::isnan(least_error({})));
+}
+
+TEST(ParetoScenes, AreCasesWithALimitOnWhatIsShown) {
+  for (const ParetoScene& scene : pareto_scenes()) {
+    const auto& limits = scene.validation().limits;
+    EXPECT_NE(std::ranges::find(limits, scene.quantity, &Limit::quantity), limits.end()) << scene.name;
+  }
 }
 
 /// Three particles that move by `shift`, at t = 0, 0.5 and 1.
