@@ -1,5 +1,5 @@
 // The published numbers of [Hunkler 2022, section 6.4]: average IISPH iterations per step over the whole run,
-// and where SSPH is stable. scripts/thesis_tables writes the same runs down in docs/thesis_tables.md.
+// and where SSPH is stable. The study `cost` has the same runs with their times: docs/speed_against_error.md.
 #include <gtest/gtest.h>
 
 #include <cmath>
