@@ -15,14 +15,17 @@ Report timestep_report(const std::vector<Result>& results);
 /// A run of the grid of time steps.
 struct Trial {
   double dt = 0;
-  int start = 0;   ///< which of the jittered ones
-  double cfl = 0;  ///< the largest; infinite where the run became invalid
+  int start = 0;    ///< which of the jittered ones
+  double cfl = 0;   ///< the largest; infinite where the run became invalid
+  double lost = 0;  ///< particles
 };
 
 /// The largest time steps of a grid that pass, which are not all of those below them.
 struct StepLimit {
-  double dt = 0;  ///< the median over the starts of the largest cfl is at most 1; 0 where none is
+  double dt = 0;      ///< the median over the starts of the largest cfl is at most 1; 0 where none is
+  double steady = 0;  ///< the same of the steps up to which every smaller one of the grid passes, too
   double least = 0, most = 0;  ///< over the starts, of the largest step with which that start passes
+  double lost = 0;             ///< particles, the median over the starts at that step
   bool at_the_end = false;     ///< the largest of the grid passes, so the limit may be beyond it
 };
 

@@ -18,18 +18,24 @@ double median(std::vector<double> values) {
 }  // namespace
 
 StepLimit step_limit(const std::vector<Trial>& trials) {
-  std::map<double, std::vector<double>> by_dt;
+  std::map<double, std::vector<double>> by_dt, lost;
   std::map<int, double> by_start;
   for (const Trial& trial : trials) {
     by_dt[trial.dt].push_back(trial.cfl);
+    lost[trial.dt].push_back(trial.lost);
     double& largest = by_start.emplace(trial.start, 0.0).first->second;
     if (trial.cfl <= 1) largest = std::max(largest, trial.dt);
   }
   StepLimit limit;
+  bool steady = true;
   for (const auto& [dt, cfl] : by_dt) {
-    if (median(cfl) <= 1) limit.dt = dt;
+    const bool passes = median(cfl) <= 1;
+    steady = steady && passes;
+    if (passes) limit.dt = dt;
+    if (steady) limit.steady = dt;
   }
   if (by_start.empty()) return limit;
+  if (limit.dt > 0) limit.lost = median(lost[limit.dt]);
   limit.least = std::numeric_limits<double>::infinity();
   for (const auto& [start, dt] : by_start) {
     limit.least = std::min(limit.least, dt);

@@ -38,7 +38,8 @@ Limits limits_of(const std::vector<Result>& results) {
     if (!is_trial(result)) continue;
     trials[configuration_of(result.point)].push_back(
         {std::stod(result.point.fact("dt")), std::stoi(result.point.fact("start")),
-         result.valid() ? result.number("cfl_max") : std::numeric_limits<double>::infinity()});
+         result.valid() ? result.number("cfl_max") : std::numeric_limits<double>::infinity(),
+         result.number("lost")});
   }
   Limits limits;
   for (const auto& [configuration, tried] : trials) limits[configuration] = step_limit(tried);
@@ -46,12 +47,14 @@ Limits limits_of(const std::vector<Result>& results) {
 }
 
 TextTable limits_table(const Limits& limits) {
-  TextTable table{{"figure", "method", "h", "k", "nu", "dt", "least", "most", "dt / h", "beyond the grid"},
+  TextTable table{{"figure", "method", "h", "k", "nu", "dt", "steady", "least", "most", "dt / h", "lost",
+                   "beyond the grid"},
                   {}};
   for (const auto& [c, limit] : limits) {
     table.rows.push_back({c.figure, c.method, digits(c.h), c.k > 0 ? fmt::format("{:g}", c.k) : "",
-                          digits(c.nu), digits(limit.dt, 4), digits(limit.least, 4), digits(limit.most, 4),
-                          digits(limit.dt / c.h, 3), limit.at_the_end ? "yes" : ""});
+                          digits(c.nu), digits(limit.dt, 4), digits(limit.steady, 4), digits(limit.least, 4),
+                          digits(limit.most, 4), digits(limit.dt / c.h, 3), digits(limit.lost),
+                          limit.at_the_end ? "yes" : ""});
   }
   return table;
 }

@@ -18,13 +18,15 @@ TEST(StepLimit, IsTheLargestStepWhoseMedianPasses) {
                                       {0.2, 0, 1.1},
                                       {0.2, 1, 0.9},
                                       {0.2, 2, 1.2},  //
-                                      {0.3, 0, 1.0},
-                                      {0.3, 1, 0.8},
-                                      {0.3, 2, 7.0},  //
+                                      {0.3, 0, 1.0, 2},
+                                      {0.3, 1, 0.8, 0},
+                                      {0.3, 2, 7.0, 5},  //
                                       {0.4, 0, 2.0},
                                       {0.4, 1, 0.9},
                                       {0.4, 2, infinite}});
   EXPECT_EQ(limit.dt, 0.3);
+  EXPECT_EQ(limit.lost, 2);
+  EXPECT_EQ(limit.steady, 0.1);
   EXPECT_EQ(limit.least, 0);  // the third start passes nowhere
   EXPECT_EQ(limit.most, 0.4);
   EXPECT_FALSE(limit.at_the_end);

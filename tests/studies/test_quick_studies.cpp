@@ -25,7 +25,7 @@ TEST(QuickStudy, TimestepOfIisphIsLargerAndOnlySsphFallsApart) {
   std::map<std::string, std::map<double, double>> largest;
   for (size_t row = 0; row < limits.size(); ++row)
     largest[limits.text(row, "method")][limits.at(row, "h")] = limits.at(row, "dt");
-  for (const double h : {18.0, 20.0}) {
+  for (const double h : {16.0, 20.0}) {
     EXPECT_GT(largest["IISPH"][h], 0.006 * h);
     EXPECT_LT(largest["IISPH"][h], 0.0125 * h);
     EXPECT_GT(largest["SSPH"][h], 0.0025 * h);
