@@ -72,8 +72,8 @@ std::vector<Measure> elongation_measures(const IdealDrop& drop, const std::vecto
   };
   for (const Blob& blob : blobs) {
     const IdealDrop::State exact = drop.at(blob.time);
-    take(exact.a > exact.b ? major : minor, blob.semi_axes.x, exact.a);
-    take(exact.a > exact.b ? minor : major, blob.semi_axes.y, exact.b);
+    take(drop.rate > 0 ? major : minor, blob.semi_axes.x, exact.a);
+    take(drop.rate > 0 ? minor : major, blob.semi_axes.y, exact.b);
   }
   return {major, minor};
 }

@@ -21,7 +21,8 @@ inline constexpr IdealDrop elliptic_drop{.radius = 1, .rate = -100, .omega_squar
 ///   kinetic energy of the start: all that the drop has above rest.
 std::vector<Measure> oscillation_measures(const IdealDrop& drop, const std::vector<Blob>& blobs);
 
-/// "major semi-axis" and "minor semi-axis": the largest error of any frame, over what the axis is then.
+/// Without Omega: "major semi-axis" and "minor semi-axis", the one that grows and the other: the largest
+/// error of any frame, over what the axis is then.
 std::vector<Measure> elongation_measures(const IdealDrop& drop, const std::vector<Blob>& blobs);
 
 /// What a lump does as a whole while no force but gravity acts on it, in steps of dt.
