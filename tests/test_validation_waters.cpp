@@ -4,15 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <map>
 #include <numbers>
 
 #include "core/error.hpp"
 #include "core/sampling.hpp"
 #include "core/scene_file.hpp"
 #include "studies/validation_waters.hpp"
-#include "tests/support/run_program.hpp"
 
 namespace sluice::test {
 namespace {
@@ -92,28 +89,6 @@ TEST(Oscillations, TheWaveHasTheDispersionOfWater) {
   EXPECT_NEAR(wave_period(g, 2 * pi / 100, 1000), 8.0035, 1e-3) << "100 m long, on deep water";
   EXPECT_NEAR(wave_period(g, 2 * pi / 1000, 1), 1000 / std::sqrt(g), 0.01) << "on shallow water";
   EXPECT_NEAR(wave_period(1, pi / 2, 1), 5.23479, 1e-5);
-}
-
-TEST(Oscillations, TheMeasureOfTheWaveReadsItsSeries) {
-  const TemporaryFolder folder;
-  std::filesystem::create_directories(folder / "runs");
-  const Point point{.name = "wave", .scene = "validation/standing_wave"};
-  const PointFiles files(folder.path, point);
-  std::ofstream series(files.series);
-  series << "time,com_x\n";
-  const double period = 1.02 * 5.23479;  // too slow by 2 %
-  for (double t = 0.02; t < 12.5; t += 0.02)
-    series << fmt::format(
-        "{},{:.9f}\n", t,
-        1.125 - 0.04 * std::pow(0.8, t / period) * std::cos(2 * std::numbers::pi * t / period));
-  series.close();
-  const nlohmann::json summary{{"settings", {{"particles", {{"spacing", 0.05}}}}}};
-  const std::vector<Measure> found = wave_case().measure({point, files, summary});
-  ASSERT_EQ(found.size(), 2u);
-  EXPECT_EQ(found[0].quantity, "period");
-  EXPECT_NEAR(found[0].error, 0.02, 1e-4);
-  EXPECT_EQ(found[1].quantity, "loss");
-  EXPECT_NEAR(found[1].error, 0.2, 1e-3);
 }
 
 TEST(PressureOfATank, IsAveragedInBins) {
@@ -227,27 +202,6 @@ TEST(ScenesWithWalls, AreShippedAsTheStudyRunsThemAtForty) {
       EXPECT_EQ(shipped.settings["particles"]["smoothing"], run.settings["particles"]["smoothing"]);
     }
   }
-}
-
-TEST(ValidationWithWalls, TheCoarseRunsKeepTheLimits) {
-  const TemporaryFolder folder;
-  const ProgramResult result =
-      run_program({"study", "validate", "--only", "_iisph_20_double", "--out", "out"}, folder.path);
-  std::map<std::string, double> errors;
-  for (const Result& run : results_in(folder / "out", validation_points())) {
-    const std::string& name = run.point.fact("case");
-    const auto known = std::ranges::find(validation_cases(), name, &ValidationCase::name);
-    for (const Measure& measure : known->measure(run))
-      errors[fmt::format("{} {}", name, measure.quantity)] = measure.error;
-  }
-  for (const ValidationCase& known : water_cases()) {
-    for (const Limit& limit : known.limits) {
-      const std::string key = fmt::format("{} {}", known.name, limit.quantity);
-      ASSERT_TRUE(errors.contains(key)) << key << '\n' << result.err;
-      EXPECT_LE(errors[key], limit.at_40) << key;
-    }
-  }
-  EXPECT_LT(errors["hydrostatic_tank force"], 0.01);
 }
 
 }  // namespace
