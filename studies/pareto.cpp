@@ -87,6 +87,7 @@ Curve iisph(const ParetoScene& scene, const std::string& stem, const std::string
 }
 
 std::vector<Curve> curves_of(const ParetoScene& scene) {
+  const Words tight{"pressure.iisph.tolerance=1e-4"};
   std::vector<Curve> curves;
   for (const std::string method : {"ssph", "wcsph"}) {
     curves.push_back(state_equation(scene, method, 1, "1"));
@@ -99,16 +100,18 @@ std::vector<Curve> curves_of(const ParetoScene& scene) {
        halves(scene.longest, 4), "converged"});
   curves.push_back(iisph(scene, "bb_2", ", 1e-2", {"pressure.iisph.tolerance=1e-2"}, 3));
   curves.push_back(iisph(scene, "bb_3", ", 1e-3", {"pressure.iisph.tolerance=1e-3"}, 4));
-  curves.push_back(iisph(scene, "bb_4", ", 1e-4", {"pressure.iisph.tolerance=1e-4"}, 4));
+  curves.push_back(iisph(scene, "bb_4", ", 1e-4", tight, 4));
   curves.push_back(iisph(
       scene, "bb_pressure", ", for pressure",
       {"pressure.iisph.stop=residual", "pressure.iisph.tolerance=1e-2", "pressure.iisph.source_weight=0.2"},
       3));
   if (scene.free_surface) {
-    curves.push_back(iisph(scene, "bb_lattice", ", 1e-3, lattice start", start(scene, false, 1), 3));
+    curves.push_back(
+        iisph(scene, "bb_lattice", ", 1e-4, lattice start", with(start(scene, false, 1), tight), 3));
     curves.back().converged = "converged_lattice";
   }
-  curves.push_back(iisph(scene, "bb_smooth", ", 1e-3, smoothing 1.2", start(scene, true, 1.2), 3));
+  curves.push_back(
+      iisph(scene, "bb_smooth", ", 1e-4, smoothing 1.2", with(start(scene, true, 1.2), tight), 3));
   curves.back().converged = "converged_smooth";
   return curves;
 }
