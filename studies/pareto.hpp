@@ -27,6 +27,9 @@ struct Cheapest {
 
 std::vector<Cheapest> cheapest_at(const std::vector<Trade>& trades, const std::vector<double>& targets);
 
+/// Who is cheapest, and how many times as long the other families take.
+std::string words_for(const Cheapest& cheapest);
+
 /// The least error above 0; NaN without one.
 double least_error(const std::vector<Trade>& trades);
 

@@ -1,4 +1,6 @@
 // Who is cheapest at equal error.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
 
@@ -30,6 +32,17 @@ std::vector<Cheapest> cheapest_at(const std::vector<Trade>& trades, const std::v
     all.push_back(std::move(cheapest));
   }
   return all;
+}
+
+std::string words_for(const Cheapest& cheapest) {
+  if (cheapest.by_family.empty()) return "nobody";
+  std::string words = fmt::format("{}: {:.3g} s", cheapest.by_family[0].label, cheapest.by_family[0].seconds);
+  for (size_t i = 1; i < cheapest.by_family.size(); ++i) {
+    const Trade& trade = cheapest.by_family[i];
+    words +=
+        fmt::format("; {} {:.1f} times as long", trade.family, trade.seconds / cheapest.by_family[0].seconds);
+  }
+  return words;
 }
 
 }  // namespace sluice

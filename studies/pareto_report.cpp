@@ -107,17 +107,6 @@ std::vector<Trade> trades_of(const std::vector<Observed>& all, const std::string
   return trades;
 }
 
-std::string words_for(const Cheapest& cheapest) {
-  if (cheapest.by_family.empty()) return "nobody";
-  std::string words = fmt::format("{}: {:.3g} s", cheapest.by_family[0].label, cheapest.by_family[0].seconds);
-  for (size_t i = 1; i < cheapest.by_family.size(); ++i) {
-    const Trade& trade = cheapest.by_family[i];
-    words +=
-        fmt::format("; {} {:.1f} times as long", trade.family, trade.seconds / cheapest.by_family[0].seconds);
-  }
-  return words;
-}
-
 TextTable best_table(const std::vector<Observed>& all) {
   TextTable table{{"scene", "error", "at most", "the cheapest, and how much longer the others take"}, {}};
   for (const ParetoScene& scene : pareto_scenes()) {

@@ -68,15 +68,18 @@ struct Curve {
 
 Curve curve_of(const Limits& limits, const std::string& method, double Configuration::*varied,
                Configuration fixed) {
-  Curve curve;
+  std::map<double, double> dt;  // points of a curve may be in different figures
   for (const auto& [c, limit] : limits) {
     fixed.*varied = c.*varied;
     fixed.figure = c.figure;
     fixed.method = method;
     if (method == "IISPH") fixed.k = 0;
-    if (c != fixed || !(limit.dt > 0)) continue;
-    curve.x.push_back(c.*varied);
-    curve.dt.push_back(limit.dt);
+    if (c == fixed && limit.dt > 0) dt[c.*varied] = limit.dt;
+  }
+  Curve curve;
+  for (const auto& [x, y] : dt) {
+    curve.x.push_back(x);
+    curve.dt.push_back(y);
   }
   return curve;
 }

@@ -30,6 +30,12 @@ TEST(Cheapest, OfEachFamilyAtMostAsFarOff) {
   EXPECT_TRUE(found[2].by_family.empty());
 }
 
+TEST(Cheapest, IsSaidInWords) {
+  const std::vector<Cheapest> found = cheapest_at(trades, {0.2, 0.001});
+  EXPECT_EQ(words_for(found[0]), "b1: 0.5 s; A 2.0 times as long");
+  EXPECT_EQ(words_for(found[1]), "nobody");
+}
+
 TEST(Cheapest, LeastErrorIsThatOfANumber) {
   EXPECT_EQ(least_error(trades), 0.009);
   EXPECT_TRUE(std::isnan(least_error({})));

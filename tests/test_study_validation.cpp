@@ -1,0 +1,67 @@
+// Orders, limits and verdicts of the study `validate`.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "studies/validation.hpp"
+#include "studies/validation_page.hpp"
+
+namespace sluice::test {
+namespace {
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+TEST(ErrorCurve, OrderIsTheSlopeOverTheSpacing) {
+  EXPECT_NEAR((ErrorCurve{{{20, 0.04}, {40, 0.02}, {80, 0.01}}}).order(), 1, 1e-12);
+  EXPECT_NEAR((ErrorCurve{{{20, 0.04}, {80, 0.0025}}}).order(), 2, 1e-12);
+  EXPECT_TRUE(std::isnan((ErrorCurve{{{20, 0.04}}}).order()));
+  EXPECT_TRUE(std::isnan((ErrorCurve{{{20, 0.04}, {80, 0}}}).order()));
+  EXPECT_EQ((ErrorCurve{{{20, 0.04}, {40, 0.02}}}).decisive(), 0.02);
+  EXPECT_EQ((ErrorCurve{{{20, 0.04}}}).decisive(), 0.04);
+}
+
+/// Two methods, of which B is better at N = 40 and worse at the others.
+ErrorCurves two_methods(double b_at_40) {
+  return {{{"oscillating_drop", "period", "A", "double"}, {{{20, 0.001}, {40, 0.004}, {80, 0.0001}}}},
+          {{"oscillating_drop", "period", "A", "float"}, {{{20, 0.001}, {40, 0.0041}, {80, 0.0001}}}},
+          {{"oscillating_drop", "period", "B", "double"}, {{{20, 0.01}, {40, b_at_40}, {80, 0.0007}}}},
+          {{"oscillating_drop", "period", "B", "gpu"}, {{{20, 0.013}}}}};
+}
+
+// The limit of the period is 0.3 % at N = 40, its aim 0.05 % at N = 80.
+TEST(ValidationPage, JudgesTheMethodThatIsBestAt40) {
+  std::vector<std::string> faults;
+  const std::string page = validation_page(two_methods(0.002), faults);
+  EXPECT_TRUE(has(
+      page, "| oscillating_drop | period | B | 1 % | 0.2 % | 0.07 % | 1.9 | 0.3 % | pass | 0.05 % | FAIL |"))
+      << page;
+  EXPECT_TRUE(faults.empty());
+}
+
+TEST(ValidationPage, ALimitThatIsNotMetIsAFault) {
+  std::vector<std::string> faults;
+  const std::string page = validation_page(two_methods(0.0035), faults);
+  EXPECT_TRUE(has(page, "| B | 1 % | 0.35 % | 0.07 % | 1.9 | 0.3 % | FAIL |")) << page;
+  ASSERT_EQ(faults.size(), 1u);
+  EXPECT_EQ(faults[0], "oscillating_drop: period is off by 0.35 % at N = 40, expected at most 0.3 %");
+}
+
+TEST(ValidationPage, ShowsWhatRoundingChanges) {
+  std::vector<std::string> faults;
+  const std::string page = validation_page(two_methods(0.002), faults);
+  EXPECT_TRUE(
+      has(page, "| oscillating_drop | period | A | 0.1 % | 0.4 % | 0.01 % | 1.7 | 0 % | 0.01 % | 0 % |  |"))
+      << page;
+  EXPECT_TRUE(has(page, "| oscillating_drop | period | B | 1 % | 0.2 % | 0.07 % | 1.9 |  |  |  | 0.3 % |"))
+      << page;
+}
+
+TEST(ValidationPage, NamesWhatWasNotRun) {
+  std::vector<std::string> faults;
+  EXPECT_TRUE(
+      has(validation_page({}, faults), "| oscillating_drop | period |  |  |  |  |  | 0.3 % | not run |"));
+  EXPECT_TRUE(faults.empty());
+}
+
+}  // namespace
+}  // namespace sluice::test
