@@ -10,15 +10,23 @@
 
 namespace sluice {
 
+namespace {
+
+std::vector<std::string> nothing(int) { return {}; }
+std::vector<std::string> single_layer(int) { return {"boundary.model=akinci"}; }
+std::vector<std::string> viscous(int n) { return {fmt::format("viscosity.coefficient={:.17g}", 0.4 / n)}; }
+
+}  // namespace
+
 const ValidationCase& ParetoScene::validation() const {
   return *std::ranges::find(validation_cases(), name, &ValidationCase::name);
 }
 
 const std::vector<ParetoScene>& pareto_scenes() {
   static const std::vector<ParetoScene> all{
-      {"dam_break", "height", 200, 0.32, 0.5, true, true},
-      {"hydrostatic_tank", "pressure", 100, 0.8, 0, false, true},
-      {"oscillating_drop", "semi-axes after a period", 50, 0.8, 0.5, true, false},
+      {"dam_break", "height", 200, 0.32, 0.5, true, single_layer},
+      {"hydrostatic_tank", "pressure", 100, 0.8, 0, false, viscous},
+      {"oscillating_drop", "semi-axes after a period", 50, 0.8, 0.5, true, nothing},
   };
   return all;
 }
@@ -35,6 +43,7 @@ struct Curve {
   Words overrides;
   std::vector<double> steps;  ///< in spacings
   std::string converged;      ///< the stem of the run that it is compared with
+  bool state_equation = false;
 };
 
 const Words recommended{"pressure.iisph.solver=barzilai-borwein", "pressure.iisph.wall=symmetric",
@@ -65,15 +74,14 @@ Curve state_equation(const ParetoScene& scene, const std::string& method, double
   Words overrides = start(scene, true, 1);
   overrides.push_back("pressure.method=" + method);
   overrides.push_back(fmt::format("pressure.{}.{}={:g}", method, wcsph ? "kappa" : "stiffness", stiffness));
-  // Their walls: the second term of the mirrored pressure gives energy to the fluid.
-  if (scene.walls) overrides.push_back("boundary.model=akinci");
   const std::string title = wcsph ? "WCSPH" : "SSPH";
   return {fmt::format("{}_{}", method, percent),
           title,
           fmt::format("{}, {} % compressible", title, percent),
           std::move(overrides),
           halves(0.4 / std::sqrt(stiffness), 2),
-          scene.walls ? "converged_akinci" : "converged"};
+          scene.calmed == single_layer ? "converged_akinci" : "converged",
+          true};
 }
 
 Curve iisph(const ParetoScene& scene, const std::string& stem, const std::string& label,
@@ -125,7 +133,7 @@ std::vector<Curve> converged_runs(const ParetoScene& scene) {
                                         {"converged_lattice", start(scene, false, 1)},
                                         {"converged_smooth", start(scene, true, 1.2)},
                                         {"converged_akinci", {"boundary.model=akinci"}}}) {
-    if (stem == "converged_akinci" && !scene.walls) continue;
+    if (stem == "converged_akinci" && scene.calmed != single_layer) continue;
     Curve curve = iisph(scene, stem, "",
                         with(overrides, {"pressure.iisph.stop=residual", "pressure.iisph.tolerance=1e-4",
                                          "pressure.iisph.source_weight=0.2"}),
@@ -161,6 +169,7 @@ Point point_of(const ParetoScene& scene, const Curve& curve, double step, int n,
               .scene = fmt::format("validation/{}", scene.name)};
   point.overrides = {fmt::format("particles.spacing={:.17g}", known.length / n)};
   point.overrides.insert(point.overrides.end(), curve.overrides.begin(), curve.overrides.end());
+  if (curve.state_equation) point.overrides = with(point.overrides, scene.calmed(n));
   point.overrides.push_back(fmt::format("time.dt={:.17g}", fitting(step, scene, n)));
   point.words = known.words;
   if (curve.family == converged)

@@ -15,7 +15,9 @@ struct ParetoScene {
   double longest;        ///< IISPH's largest dt, in spacings
   double before_chaos;   ///< when runs are compared with a converged one; 0: they are not
   bool free_surface;     ///< where a relaxed start helps
-  bool walls;
+  /// What a state equation needs at its walls, at N particles per unit of length: the second term of the
+  /// mirrored pressure gives energy to it.
+  std::vector<std::string> (*calmed)(int n);
 
   const ValidationCase& validation() const;
 };
