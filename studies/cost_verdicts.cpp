@@ -79,7 +79,9 @@ void judge_best(const Costs& costs, const std::string& method, const std::string
   const std::string why =
       fmt::format("a step without its pressure takes as long as {:.1f} sweeps", rest_in_sweeps(*same));
   verdicts.add(fmt::format("{}: {} is fastest at dt = {}", scene, method, theirs.dt), theirs.dt,
-               fmt::format("{}; {} takes {:.2f} times as long", best.dt, theirs.dt, slower),
+               best.dt == theirs.dt
+                   ? best.dt
+                   : fmt::format("{}; {} takes {:.2f} times as long", best.dt, theirs.dt, slower),
                best.dt == theirs.dt, why);
   const double flat = range(costs, theirs.flat);
   if (std::isnan(flat)) return;

@@ -98,6 +98,7 @@ std::vector<Curve> curves_of(const ParetoScene& scene) {
   const Words tight{"pressure.iisph.tolerance=1e-4"};
   std::vector<Curve> curves;
   for (const std::string method : {"ssph", "wcsph"}) {
+    curves.push_back(state_equation(scene, method, 0.1, "10"));
     curves.push_back(state_equation(scene, method, 1, "1"));
     curves.push_back(state_equation(scene, method, 10, "0.1"));
   }

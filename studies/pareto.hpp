@@ -14,8 +14,9 @@ Report pareto_report(const std::vector<Result>& results);
 
 /// A run as a point of the picture.
 struct Trade {
-  std::string scene, family, label;  ///< family: what is compared at equal error
-  double seconds = 0;                ///< of computation per unit of simulated time
+  std::string scene, family;  ///< family: what is compared at equal error
+  std::string curve, label;   ///< of runs that differ in their time step; and of this run
+  double seconds = 0;         ///< of computation per unit of simulated time
   double error = 0;
 };
 
@@ -29,6 +30,10 @@ std::vector<Cheapest> cheapest_at(const std::vector<Trade>& trades, const std::v
 
 /// Who is cheapest, and how many times as long the other families take.
 std::string words_for(const Cheapest& cheapest);
+
+/// The largest error of each curve of a family, from the largest on, rounded up by a twentieth: runs that are
+/// no worse than these are equals.
+std::vector<double> errors_of_curves(const std::vector<Trade>& trades, const std::string& family);
 
 /// The least error above 0; NaN without one.
 double least_error(const std::vector<Trade>& trades);

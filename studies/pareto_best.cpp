@@ -2,7 +2,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <limits>
+#include <map>
 
 #include "studies/pareto.hpp"
 
@@ -14,6 +16,19 @@ double least_error(const std::vector<Trade>& trades) {
     if (trade.error > 0 && !(trade.error >= least)) least = trade.error;
   }
   return least;
+}
+
+std::vector<double> errors_of_curves(const std::vector<Trade>& trades, const std::string& family) {
+  std::map<std::string, double> largest;
+  for (const Trade& trade : trades) {
+    if (trade.family != family) continue;
+    double& error = largest.emplace(trade.curve, 0.0).first->second;
+    error = std::max(error, trade.error);
+  }
+  std::vector<double> errors;
+  for (const auto& [curve, error] : largest) errors.push_back(1.05 * error);
+  std::ranges::sort(errors, std::greater<>());
+  return errors;
 }
 
 std::vector<Cheapest> cheapest_at(const std::vector<Trade>& trades, const std::vector<double>& targets) {

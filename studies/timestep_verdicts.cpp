@@ -8,7 +8,6 @@
 #include <limits>
 #include <map>
 
-#include "media/recording.hpp"
 #include "studies/timestep.hpp"
 #include "studies/verdicts.hpp"
 
@@ -22,8 +21,6 @@ struct Configuration {
 };
 
 using Limits = std::map<Configuration, StepLimit>;
-
-bool is_trial(const Result& result) { return result.point.fact("start") != "-1"; }
 
 double number_or_0(const std::string& text) { return text.empty() ? 0 : std::stod(text); }
 
@@ -59,6 +56,8 @@ TextTable limits_table(const Limits& limits) {
   return table;
 }
 
+const Configuration usual{"", "", 10, 1e5, 200};
+
 /// One quantity varied, the others kept.
 struct Curve {
   std::vector<double> x, dt;
@@ -67,14 +66,14 @@ struct Curve {
 };
 
 Curve curve_of(const Limits& limits, const std::string& method, double Configuration::*varied,
-               Configuration fixed) {
+               double StepLimit::*limit_of, Configuration fixed = usual) {
   std::map<double, double> dt;  // points of a curve may be in different figures
   for (const auto& [c, limit] : limits) {
     fixed.*varied = c.*varied;
     fixed.figure = c.figure;
     fixed.method = method;
     if (method == "IISPH") fixed.k = 0;
-    if (c == fixed && limit.dt > 0) dt[c.*varied] = limit.dt;
+    if (c == fixed && limit.*limit_of > 0) dt[c.*varied] = limit.*limit_of;
   }
   Curve curve;
   for (const auto& [x, y] : dt) {
@@ -97,58 +96,81 @@ double slope(const Curve& curve) {
   return (n * sxy - sx * sy) / (n * sxx - sx * sx);
 }
 
-constexpr Configuration usual{"", "", 10, 1e5, 200};
+/// Only its points from `least` on.
+Curve from(const Curve& curve, double least) {
+  Curve part;
+  for (size_t i = 0; i < curve.x.size(); ++i) {
+    if (curve.x[i] < least) continue;
+    part.x.push_back(curve.x[i]);
+    part.dt.push_back(curve.dt[i]);
+  }
+  return part;
+}
+
+/// Which of two ways to read a limit a verdict is of, and the other one.
+constexpr double StepLimit::*largest = &StepLimit::dt;
+constexpr double StepLimit::*steady = &StepLimit::steady;
+constexpr const char* with_steady = "with the steps up to which all pass: ";
 
 void judge_spacing(const Limits& limits, Verdicts& verdicts) {
-  const Curve iisph = curve_of(limits, "IISPH", &Configuration::h, usual);
-  const Curve ssph = curve_of(limits, "SSPH", &Configuration::h, usual);
+  const auto curve = [&](const char* method, double StepLimit::*which) {
+    return curve_of(limits, method, &Configuration::h, which);
+  };
+  const Curve iisph = curve("IISPH", largest), ssph = curve("SSPH", largest);
   if (iisph.x.size() < 2 || ssph.x.size() < 2) return;
+  const Curve iisph_steady = curve("IISPH", steady), ssph_steady = curve("SSPH", steady);
   const double power = exponent(iisph.x, iisph.dt);
   verdicts.add("Fig. 6.6: IISPH's largest dt is about linear in h", "straight line but for h = 20",
-               fmt::format("exponent {:.2f}", power), std::abs(power - 1) < 0.3);
+               fmt::format("exponent {:.2f}", power), std::abs(power - 1) < 0.3,
+               fmt::format("{}{:.2f}", with_steady, exponent(iisph_steady.x, iisph_steady.dt)));
   verdicts.add("Fig. 6.6: and steeper than SSPH's (k = 1e5)", "steeper",
-               fmt::format("slopes {:.4f} and {:.4f}", slope(iisph), slope(ssph)),
-               slope(iisph) > slope(ssph));
+               fmt::format("slopes {:.4f} and {:.4f}", slope(iisph), slope(ssph)), slope(iisph) > slope(ssph),
+               fmt::format("{}{:.4f} and {:.4f}", with_steady, slope(iisph_steady), slope(ssph_steady)));
   const auto ten = limits.find({"6.6", "IISPH", 10, 0, 200});
   if (ten == limits.end()) return;
   verdicts.add("IISPH at h = 10", "0.075",
                fmt::format("{:.4f} ({:.4f} to {:.4f} over nine starts)", ten->second.dt, ten->second.least,
                            ten->second.most),
-               ten->second.dt >= 0.07 && ten->second.dt <= 0.08);
+               ten->second.dt >= 0.07 && ten->second.dt <= 0.08,
+               fmt::format("{}{:.4f}", with_steady, ten->second.steady));
+}
+
+/// The stiffness whose limit is nearest to this one.
+size_t nearest(const Curve& curve, double dt) {
+  size_t found = 0;
+  for (size_t i = 0; i < curve.x.size(); ++i) {
+    if (std::abs(curve.dt[i] - dt) < std::abs(curve.dt[found] - dt)) found = i;
+  }
+  return found;
 }
 
 void judge_stiffness(const Limits& limits, Verdicts& verdicts) {
-  const Curve curve = curve_of(limits, "SSPH", &Configuration::k, usual);
-  if (curve.x.size() < 4) return;
+  const Curve curve = curve_of(limits, "SSPH", &Configuration::k, largest);
+  const Curve lower = curve_of(limits, "SSPH", &Configuration::k, steady);
+  if (curve.x.size() < 4 || lower.x.empty()) return;
   const bool falling = std::ranges::is_sorted(curve.dt, std::greater<>());
   verdicts.add("Fig. 6.7: SSPH's largest dt falls with k", "falls",
                fmt::format("{:.4f} at k = {:g}, {:.4f} at {:g}", curve.dt.front(), curve.x.front(),
                            curve.dt.back(), curve.x.back()),
                falling);
-  Curve stiff;
-  for (size_t i = 0; i < curve.x.size(); ++i) {
-    if (curve.x[i] < 1e5) continue;
-    stiff.x.push_back(curve.x[i]);
-    stiff.dt.push_back(curve.dt[i]);
-  }
+  const Curve stiff = from(curve, 1e5), lower_stiff = from(lower, 1e5);
   const double power = exponent(stiff.x, stiff.dt);
   verdicts.add("from k = 1e5 on about as k^-1/2", "(not given)", fmt::format("exponent {:.2f}", power),
-               std::abs(power + 0.5) < 0.1);
+               std::abs(power + 0.5) < 0.1,
+               fmt::format("{}{:.2f}", with_steady, exponent(lower_stiff.x, lower_stiff.dt)));
   const auto iisph = limits.find({"6.6", "IISPH", 10, 0, 200});
   if (iisph == limits.end()) return;
-  size_t nearest = 0;
-  for (size_t i = 0; i < curve.x.size(); ++i) {
-    if (std::abs(curve.dt[i] - iisph->second.dt) < std::abs(curve.dt[nearest] - iisph->second.dt))
-      nearest = i;
-  }
+  const size_t found = nearest(curve, iisph->second.dt), below = nearest(lower, iisph->second.steady);
   verdicts.add("Fig. 6.7: SSPH has IISPH's dt at about k = 1e4", "1e4",
-               fmt::format("nearest at k = {:g}: {:.4f}", curve.x[nearest], curve.dt[nearest]),
-               curve.x[nearest] >= 5e3 && curve.x[nearest] <= 2e4);
+               fmt::format("nearest at k = {:g}: {:.4f}", curve.x[found], curve.dt[found]),
+               curve.x[found] >= 5e3 && curve.x[found] <= 2e4,
+               fmt::format("{}k = {:g}: {:.4f} against {:.4f}", with_steady, lower.x[below], lower.dt[below],
+                           iisph->second.steady));
 }
 
 void judge_viscosity(const Limits& limits, Verdicts& verdicts) {
   for (const std::string method : {"IISPH", "SSPH"}) {
-    const Curve curve = curve_of(limits, method, &Configuration::nu, usual);
+    const Curve curve = curve_of(limits, method, &Configuration::nu, largest);
     if (curve.x.size() < 4) continue;
     const double at = curve.x[curve.highest()];
     verdicts.add(fmt::format("Fig. 6.8: {} has the largest dt at a viscosity in the middle", method),
@@ -157,51 +179,6 @@ void judge_viscosity(const Limits& limits, Verdicts& verdicts) {
                              curve.dt[curve.highest()], at, curve.dt.front(), curve.x.front(),
                              curve.dt.back(), curve.x.back()),
                  at >= 300 && at <= 600);
-  }
-}
-
-/// Mean kinetic energy over the last 10 of the frames of the particles that are in the domain then.
-double kinetic_energy_at_end(const Result& result) {
-  const Recording recording(result.files.recording);
-  const Scene& scene = recording.scene();
-  const size_t frames = std::min<size_t>(10, recording.frames());
-  double sum = 0;
-  for (size_t frame = recording.frames() - frames; frame < recording.frames(); ++frame) {
-    const Moment moment = recording.moment(frame);
-    for (size_t i = 0; i < moment.state.x.size(); ++i) {
-      const Vec2 x = moment.state.x[i], v = moment.state.v[i];
-      const bool inside = x.x >= scene.domain_min.x && x.x <= scene.domain_max.x && x.y >= scene.domain_min.y;
-      if (inside) sum += 0.5 * scene.mass() * (v.x * v.x + v.y * v.y);
-    }
-  }
-  return sum / static_cast<double>(frames);
-}
-
-struct End {
-  double energy = 0;
-  double lost = 0, time = 0;
-};
-
-void judge_coherence(const std::vector<Result>& results, Verdicts& verdicts) {
-  std::map<std::pair<std::string, std::string>, std::map<std::string, End>> ends;
-  for (const Result& result : results) {
-    if (is_trial(result)) continue;
-    ends[{result.point.fact("method"), result.point.fact("dt")}][result.point.fact("nu")] = {
-        kinetic_energy_at_end(result), result.number("lost"), result.number("time")};
-  }
-  for (const auto& [run, by_nu] : ends) {
-    if (by_nu.size() < 2) continue;
-    const End &inviscid = by_nu.at("0"), &viscous = by_nu.at("200");
-    const double times = inviscid.energy / viscous.energy;
-    const bool incoherent = run.first == "SSPH";
-    verdicts.add(
-        fmt::format("section 6.2: {} at nu = 0, dt = {}, {}", run.first, run.second,
-                    incoherent ? "does not stay together" : "stays together"),
-        incoherent ? "spreads over the tank" : "does not spread",
-        fmt::format("kinetic energy in the tank at the end {:.1f} times that at nu = 200; {:g} lost by "
-                    "t = {:.0f}",
-                    times, inviscid.lost, inviscid.time),
-        incoherent == (times > 10));
   }
 }
 

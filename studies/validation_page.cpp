@@ -3,8 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "studies/validation.hpp"
 
@@ -90,6 +92,41 @@ TextTable methods_table(const ErrorCurves& curves) {
   return table;
 }
 
+/// By how much of itself the error of each row changes from double to `machine`, in order. Errors that are
+/// rounding themselves are left out.
+std::vector<double> changes(const ErrorCurves& curves, const std::string& machine, int n) {
+  constexpr double rounding = 1e-9;
+  std::vector<double> all;
+  for (const auto& [key, curve] : curves) {
+    if (key.machine != "double" || !(curve.at(n) > rounding)) continue;
+    const auto other = curves.find({key.name, key.quantity, key.method, machine});
+    if (other != curves.end() && !std::isnan(other->second.at(n)))
+      all.push_back(std::abs(other->second.at(n) / curve.at(n) - 1));
+  }
+  std::ranges::sort(all);
+  return all;
+}
+
+/// The value that this part of them does not exceed.
+double quantile(const std::vector<double>& sorted, double part) {
+  return sorted[std::min(sorted.size() - 1, static_cast<size_t>(part * static_cast<double>(sorted.size())))];
+}
+
+std::string rounding_words(const ErrorCurves& curves) {
+  std::string words;
+  for (const auto& [machine, title] : {std::pair{"float", "in float"}, {"gpu", "on the GPU"}}) {
+    for (const int n : resolutions) {
+      const std::vector<double> all = changes(curves, machine, n);
+      if (all.empty()) continue;
+      words += fmt::format(
+          "- N = {}, {} instead of double: half of {} errors change by less than {} of themselves, "
+          "nine of ten by less than {}\n",
+          n, title, all.size(), percent(quantile(all, 0.5)), percent(quantile(all, 0.9)));
+    }
+  }
+  return words;
+}
+
 }  // namespace
 
 double ErrorCurve::at(int n) const {
@@ -106,7 +143,8 @@ double ErrorCurve::order() const {
 }
 
 std::string validation_page(const ErrorCurves& curves, std::vector<std::string>& faults) {
-  return fmt::format("{}\n{}", limits_table(curves, faults).markdown(), methods_table(curves).markdown());
+  return fmt::format("{}\n{}\n{}", limits_table(curves, faults).markdown(), methods_table(curves).markdown(),
+                     rounding_words(curves));
 }
 
 }  // namespace sluice

@@ -13,10 +13,10 @@
 namespace sluice::test {
 namespace {
 
-const std::vector<Trade> trades{{"s", "A", "a1", 1.0, 0.1},         {"s", "A", "a2", 4.0, 0.01},
-                                {"s", "A", "a3", 3.0, 0.01},        {"s", "B", "b1", 0.5, 0.2},
-                                {"s", "B", "b2", 5.0, 0.009},       {"s", "C", "c1", 0.1, 0.5},
-                                {"s", "C", "c2", 9.0, std::nan("")}};
+const std::vector<Trade> trades{{"s", "A", "x", "a1", 1.0, 0.1},         {"s", "A", "y", "a2", 4.0, 0.01},
+                                {"s", "A", "y", "a3", 3.0, 0.01},        {"s", "B", "z", "b1", 0.5, 0.2},
+                                {"s", "B", "z", "b2", 5.0, 0.009},       {"s", "C", "z", "c1", 0.1, 0.5},
+                                {"s", "C", "z", "c2", 9.0, std::nan("")}};
 
 TEST(Cheapest, OfEachFamilyAtMostAsFarOff) {
   const std::vector<Cheapest> found = cheapest_at(trades, {0.2, 0.01, 0.001});
@@ -28,6 +28,14 @@ TEST(Cheapest, OfEachFamilyAtMostAsFarOff) {
   EXPECT_EQ(found[1].by_family[0].label, "a3");
   EXPECT_EQ(found[1].by_family[1].label, "b2");
   EXPECT_TRUE(found[2].by_family.empty());
+}
+
+TEST(Cheapest, TargetsAreTheErrorsOfCurves) {
+  const std::vector<double> errors = errors_of_curves(trades, "A");
+  ASSERT_EQ(errors.size(), 2u);
+  EXPECT_NEAR(errors[0], 0.105, 1e-12);
+  EXPECT_NEAR(errors[1], 0.0105, 1e-12);
+  EXPECT_TRUE(errors_of_curves(trades, "D").empty());
 }
 
 TEST(Cheapest, IsSaidInWords) {

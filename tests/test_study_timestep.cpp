@@ -4,7 +4,11 @@
 #include <cmath>
 #include <limits>
 
+#include "media/recording.hpp"
 #include "studies/timestep.hpp"
+#include "studies/timestep_verdicts.hpp"
+#include "tests/support/run_program.hpp"
+#include "tests/support/simulation.hpp"
 
 namespace sluice::test {
 namespace {
@@ -113,6 +117,30 @@ TEST(TimestepStudy, EveryVerdictCanFail) {
             (Claims{"Fig. 6.6: IISPH's largest dt is about linear in h"}));
   EXPECT_EQ(refuted(report_of({.power_of_k = -0.3})), (Claims{"from k = 1e5 on about as k^-1/2"}));
   EXPECT_EQ(refuted(report_of({.best_nu = 20})).size(), 2u);
+}
+
+// Three particles in a frame each unit of time, of which one is below the domain and very fast.
+TEST(KineticEnergyAtEnd, IsThatOfTheLastFramesInTheTank) {
+  const TemporaryFolder folder;
+  const Scene scene = shipped("breaking_dam", {"fluid.rect.0.max=[\"6h\",\"4h\"]"});
+  {
+    RecordingWriter writer(folder.path / "run.rec", scene, Precision::double_, "cpu");
+    for (uint64_t step = 0; step < 13; ++step) {
+      StepReport report;
+      report.step = step;
+      report.time = static_cast<double>(step);
+      const double speed = step < 3 ? 100 : step == 12 ? 3 : 1;
+      writer.add(report, 0,
+                 {{{24, 24}, {32, 900}, {40, -1}},
+                  {{speed, 0}, {0, -speed}, {0, -1e6}},
+                  {1, 1, 1},
+                  {0, 0, 0},
+                  step});
+    }
+    writer.commit();
+  }
+  // Nine frames with |v|² = 1 of two particles of mass 64, and one with 9.
+  EXPECT_NEAR(kinetic_energy_at_end(folder.path / "run.rec"), 64 * (9 * 1 + 9) / 10.0, 1e-9);
 }
 
 }  // namespace

@@ -56,6 +56,25 @@ TEST(ValidationPage, ShowsWhatRoundingChanges) {
       << page;
 }
 
+// Of ten errors of 1 %, nine change by 0, 1, ... 8 % of themselves and one by half; one that is rounding does
+// not count.
+TEST(ValidationPage, SaysHowMuchErrorsChange) {
+  ErrorCurves curves;
+  for (int i = 0; i < 10; ++i) {
+    const std::string method = std::to_string(i);
+    curves[{"dam_break", "height", method, "double"}].error[40] = 0.01;
+    curves[{"dam_break", "height", method, "float"}].error[40] = 0.01 * (i < 9 ? 1 - 0.01 * i : 1.5);
+  }
+  curves[{"free_fall", "momentum", "IISPH", "double"}].error[40] = 1e-15;
+  curves[{"free_fall", "momentum", "IISPH", "float"}].error[40] = 1e-6;
+  std::vector<std::string> faults;
+  EXPECT_TRUE(
+      has(validation_page(curves, faults),
+          "- N = 40, in float instead of double: half of 10 errors change by less than 5 % of themselves, "
+          "nine of ten by less than 50 %\n"))
+      << validation_page(curves, faults);
+}
+
 TEST(ValidationPage, NamesWhatWasNotRun) {
   std::vector<std::string> faults;
   EXPECT_TRUE(
