@@ -105,7 +105,7 @@ std::vector<Curve> curves_of(const ParetoScene& scene) {
   curves.push_back(
       {"jacobi", "IISPH, Jacobi", "IISPH, Jacobi, 1e-3",
        with(start(scene, true, 1), {"pressure.iisph.solver=jacobi", "pressure.iisph.wall=symmetric",
-                                    "pressure.iisph.warm_start=0.5"}),
+                                    "pressure.iisph.warm_start=0.5", "pressure.iisph.tolerance=1e-3"}),
        halves(scene.longest, 4), "converged"});
   curves.push_back(iisph(scene, "bb_2", ", 1e-2", {"pressure.iisph.tolerance=1e-2"}, 3));
   curves.push_back(iisph(scene, "bb_3", ", 1e-3", {"pressure.iisph.tolerance=1e-3"}, 4));

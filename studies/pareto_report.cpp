@@ -100,7 +100,7 @@ std::vector<Trade> trades_of(const std::vector<Observed>& all, const std::string
     if (point.fact("scene") != scene || point.fact("machine") != on_double ||
         point.fact("n") != std::to_string(fine) || std::isnan(errors.*kind.error))
       continue;
-    trades.push_back({scene, point.fact("family"),
+    trades.push_back({scene, point.fact("family"), point.fact("curve"),
                       fmt::format("{}, dt = {}", point.fact("curve"), point.fact("dt")), errors.seconds,
                       errors.*kind.error});
   }
