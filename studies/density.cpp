@@ -7,6 +7,8 @@
 #include <cmath>
 #include <map>
 
+#include "studies/verdicts.hpp"
+
 namespace sluice {
 namespace {
 
@@ -55,6 +57,37 @@ std::vector<Window> windows_of(const CsvTable& series) {
   return windows;
 }
 
+/// Of each run, a window after the other.
+using Amplitudes = std::map<std::string, std::vector<double>>;
+
+std::string text_of(const std::vector<double>& values) {
+  std::string text;
+  for (const double value : values) text += fmt::format("{}{:.1e}", text.empty() ? "" : ", ", value);
+  return text;
+}
+
+/// What [Hunkler 2022, section 6.3] says of its curves; nothing when one of them is missing.
+TextTable verdicts_of(const Amplitudes& amplitudes) {
+  Verdicts verdicts;
+  const std::vector<std::string> runs{"SSPH, k = 1e4", "SSPH, k = 1e5", "SSPH, k = 1e6", "IISPH"};
+  std::vector<double> late, change;
+  for (const std::string& run : runs) {
+    const auto found = amplitudes.find(run);
+    if (found == amplitudes.end() || found->second.size() < 2) return verdicts.table();
+    late.push_back(found->second.back());
+    change.push_back(found->second.back() / found->second.front());
+  }
+  verdicts.add("SSPH's oscillations weaken with k", "weaken",
+               fmt::format("last amplitudes {}", text_of({late[0], late[1], late[2]})),
+               late[0] > late[1] && late[1] > late[2]);
+  verdicts.add("IISPH hardly oscillates", "hardly to be seen",
+               fmt::format("last amplitude {:.1e}, SSPH's least {:.1e}", late[3], late[2]),
+               late[3] < late[2]);
+  verdicts.add("amplitudes become smaller with time in all four", "smaller",
+               fmt::format("last over first {}", text_of(change)), *std::ranges::max_element(change) < 1);
+  return verdicts.table();
+}
+
 }  // namespace
 
 std::vector<Point> density_points() {
@@ -77,7 +110,7 @@ Report density_report(const std::vector<Result>& results) {
   TextTable page{{"figure", "run", "dt", "steps", "mean density - 1"}, {}};
   for (double from = 0; from < duration; from += window)
     page.columns.push_back(fmt::format("amplitude, t = {:g} to {:g}", from, from + window));
-  std::map<std::string, double> first, last;
+  Amplitudes amplitudes;
   for (const Result& result : results) {
     const CsvTable table = read_csv(result.files.series);
     const std::string &figure = result.point.fact("figure"), &run = result.point.fact("run");
@@ -93,12 +126,13 @@ Report density_report(const std::vector<Result>& results) {
       row.push_back(fmt::format("{:.1e}", w.amplitude()));
     }
     page.rows.push_back(row);
-    first[result.point.name] = found.front().amplitude();
-    last[result.point.name] = found.back().amplitude();
+    for (const Window& w : found) amplitudes[run].push_back(w.amplitude());
   }
   Report report;
-  report.tables = {{"density", series}, {"density_windows", windows}};
+  const TextTable verdicts = verdicts_of(amplitudes);
+  report.tables = {{"density", series}, {"density_windows", windows}, {"density_verdicts", verdicts}};
   report.page = page.markdown();
+  if (!verdicts.rows.empty()) report.page += fmt::format("\n{}", verdicts.markdown());
   return report;
 }
 

@@ -123,8 +123,8 @@ TEST(CliStudy, CollectsWhatTheLinesOfItsListLeave) {
   EXPECT_EQ(direct.code, 0) << direct.err;
   EXPECT_EQ(collected.out, direct.out);
   EXPECT_EQ(names_in(folder.path / "one"),
-            (Words{"density.csv", "density.md", "density_windows.csv", "runs"}));
-  for (const char* name : {"density.csv", "density.md", "density_windows.csv"})
+            (Words{"density.csv", "density.md", "density_verdicts.csv", "density_windows.csv", "runs"}));
+  for (const char* name : {"density.csv", "density.md", "density_verdicts.csv", "density_windows.csv"})
     EXPECT_EQ(read_file(folder.path / "one" / name), read_file(folder.path / "two" / name));
   EXPECT_EQ(read_table(folder.path / "one" / "density.csv").size(), 1000u);
 }
@@ -136,7 +136,8 @@ TEST(CliStudy, CollectsWhatIsThereAndSaysWhatIsNot) {
       run_program({"study", "density", "--collect", "out", "--out", "tables"}, folder.path);
   EXPECT_EQ(result.code, 0);
   EXPECT_TRUE(has(result.err, "5 of 6 results are not there")) << result.err;
-  EXPECT_EQ(names_in(folder.path / "tables"), (Words{"density.csv", "density.md", "density_windows.csv"}));
+  EXPECT_EQ(names_in(folder.path / "tables"),
+            (Words{"density.csv", "density.md", "density_verdicts.csv", "density_windows.csv"}));
 
   const ProgramResult none = run_program({"study", "cost", "--collect", "out"}, folder.path);
   EXPECT_EQ(none.code, 2);

@@ -41,10 +41,10 @@ TEST(Docs, EveryColumnAndKeyOfARunIsExplained) {
 TEST(Docs, EveryLinkLeadsSomewhere) {
   const std::regex link(R"(\]\(([^)#]+)(#[^)]*)?\))");
   int links = 0;
-  for (const char* page :
-       {"README.md", "docs/model.md", "docs/scenes.md", "docs/output.md", "docs/scene_keys.md",
-        "docs/speed_against_error.md", "docs/benchmarks/cpu.md", "docs/writing_a_scene.md", "docs/watching.md",
-        "docs/methods.md", "docs/replicability.md", "docs/pressure_solvers.md", "docs/hard_cases.md"}) {
+  for (const char* page : {"README.md", "docs/model.md", "docs/scenes.md", "docs/output.md",
+                           "docs/scene_keys.md", "docs/speed_against_error.md", "docs/benchmarks/cpu.md",
+                           "docs/writing_a_scene.md", "docs/watching.md", "docs/methods.md",
+                           "docs/replicability.md", "docs/pressure_solvers.md", "docs/hard_cases.md"}) {
     const std::string text = read_file(source / page);
     for (std::sregex_iterator match(text.begin(), text.end(), link), end; match != end; ++match) {
       const std::string target = (*match)[1];

@@ -44,7 +44,11 @@ TEST(QuickStudy, TimestepOfIisphIsLargerAndOnlySsphFallsApart) {
 
 TEST(QuickStudy, DensityOscillatesLessTheStifferAndLeastWithIisph) {
   const TemporaryFolder folder;
-  const Table windows = read_table(run_quick("density", folder) / "density_windows.csv");
+  const std::filesystem::path out = run_quick("density", folder);
+  const Table verdicts = read_table(out / "density_verdicts.csv");
+  EXPECT_EQ(verdicts.size(), 3u);
+  for (size_t row = 0; row < verdicts.size(); ++row) EXPECT_EQ(verdicts.text(row, "verdict"), "holds");
+  const Table windows = read_table(out / "density_windows.csv");
   std::map<std::string, std::map<double, double>> amplitude;
   for (size_t row = 0; row < windows.size(); ++row)
     amplitude[windows.text(row, "run")][windows.at(row, "from")] = windows.at(row, "amplitude");
