@@ -86,6 +86,29 @@ TEST_F(CliCheckpoint, StepsThatAdaptGoOnAsIfTheFirstEndHadNotBeen) {
   EXPECT_NE(rows.text(2, "dt"), rows.text(rows.size() - 4, "dt")) << "they do adapt";
 }
 
+// A step that was cut short may still be too long, so that many follow where two were to be. A run with a
+// later end has none of them, the repeated one included.
+TEST_F(CliCheckpoint, AnEndThatTurnsOutFarOffLeavesTheCheckpointBeforeIt) {
+  const Words adaptive{"breaking_dam",
+                       "--set",
+                       "time.cfl=1",
+                       "--set",
+                       "time.dt_min=1e-4",
+                       "--set",
+                       "time.dt_max=0.1",
+                       "--set",
+                       "pressure.iisph.solver=barzilai-borwein",
+                       "--backend",
+                       "cpu"};
+  run(adaptive +
+      Words{"--time", "5.34", "--checkpoint", "a.ckp", "--checkpoint-every", "0.01", "--summary", "a.json"});
+  const size_t from = read_checkpoint(folder / "a.ckp").state.clock.steps;
+  EXPECT_GT(read_json(folder / "a.json")["steps"].get<size_t>(), from + 2) << "many follow";
+  run(adaptive + Words{"--time", "5.6", "--state", "whole.csv"});
+  run({"--resume", "a.ckp", "--time", "5.6", "--state", "part.csv", "--backend", "cpu"});
+  EXPECT_TRUE(bytes("whole.csv") == bytes("part.csv"));
+}
+
 TEST_F(CliCheckpoint, GoesOnASecondTimeUnderTheSameName) {
   run({"breaking_dam", "--steps", "15", "--checkpoint", "whole.ckp", "--state", "whole.csv"});
   run({"breaking_dam", "--steps", "4", "--checkpoint", "a.ckp"});

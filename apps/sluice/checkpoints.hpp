@@ -46,7 +46,6 @@ class Checkpoints {
   bool due(double time) { return wanted() && clock_ && clock_->advance(time); }
   /// From here on the run is no longer that of a later end: the last one stays.
   void hold() { held_ = true; }
-  void release() { held_ = false; }
   /// Returns when it is on the disk. Does nothing where none is wanted, where it is there already, and after
   /// a step that failed: the last good one stays.
   void write(const Simulator& simulator, const RunStatistics& statistics);

@@ -163,12 +163,10 @@ void simulate(Simulator& simulator, const RunEnd& end, Outputs& outputs, Checkpo
   };
   while (!end.reached(simulator) && !simulator.failure() && !interrupted()) {
     // The last steps of a run that ends at a time are shorter than those of one that goes on.
-    const bool cut_short = simulator.is_cut_short(end.time);
-    if (checkpoints.wanted() && cut_short) {
+    if (checkpoints.wanted() && simulator.is_cut_short(end.time)) {
       save();
       checkpoints.hold();
     }
-    if (!cut_short) checkpoints.release();  // what was to be the end has become many steps
     const Clock::time_point before = Clock::now();
     const StepReport report = simulator.step(end.time);
     const double step_seconds = std::chrono::duration<double>(Clock::now() - before).count();
