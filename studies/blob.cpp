@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "media/recording.hpp"
+#include "studies/study.hpp"
 
 namespace sluice {
 namespace {
@@ -62,6 +63,7 @@ std::vector<Blob> blobs_of(const std::filesystem::path& path) {
 }
 
 double value_at(double time, const std::vector<double>& times, const std::vector<double>& values) {
+  if (times.size() < points) return unknown_number;
   const auto after = static_cast<size_t>(std::ranges::upper_bound(times, time) - times.begin());
   return cubic(time, first_around(after == 0 ? 0 : after - 1, times.size()), times, values);
 }

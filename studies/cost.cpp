@@ -10,7 +10,6 @@
 namespace sluice {
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr int repeats = 3;
 constexpr const char *jacobi = "IISPH, Jacobi", *barzilai_borwein = "IISPH, Barzilai-Borwein", *ssph = "SSPH",
                      *jittered = "SSPH, jittered";
@@ -148,9 +147,9 @@ const std::vector<Published>& published_costs() {
       {"breaking_dam", "IISPH", "0.05", 12.87, 44.48, 63.41},
       {"breaking_dam", "IISPH", "0.06", 18.04, 50.92, 66.5},
       {"breaking_dam", "IISPH", "0.08", 30.01, 62.52, 74.21},
-      {"breaking_dam", "SSPH", "0.01", none, 0.241, 98.09},
-      {"breaking_dam", "SSPH", "0.011", none, none, none},
-      {"breaking_dam", "SSPH", "0.019", none, none, none},
+      {"breaking_dam", "SSPH", "0.01", unknown_number, 0.241, 98.09},
+      {"breaking_dam", "SSPH", "0.011", unknown_number, unknown_number, unknown_number},
+      {"breaking_dam", "SSPH", "0.019", unknown_number, unknown_number, unknown_number},
       {"leaking_dam", "IISPH", "0.004", 2, 326.94, 988.52},
       {"leaking_dam", "IISPH", "0.005", 2.76, 324.73, 843.64},
       {"leaking_dam", "IISPH", "0.006", 3.97, 352.95, 777.8},
@@ -159,8 +158,8 @@ const std::vector<Published>& published_costs() {
       {"leaking_dam", "IISPH", "0.012", 14.61, 560.69, 777.3},
       {"leaking_dam", "IISPH", "0.015", 22.53, 685.44, 857.31},
       {"leaking_dam", "IISPH", "0.02", 38.82, 858.17, 987.67},
-      {"leaking_dam", "SSPH", "0.004", none, 1.49, 649.78},
-      {"leaking_dam", "SSPH", "0.0045", none, none, none},
+      {"leaking_dam", "SSPH", "0.004", unknown_number, 1.49, 649.78},
+      {"leaking_dam", "SSPH", "0.0045", unknown_number, unknown_number, unknown_number},
   };
   return rows;
 }
@@ -173,7 +172,7 @@ std::vector<Point> cost_points() {
   for (const char* dt : {"0.01", "0.011", "0.014", "0.016", "0.019"}) {
     for (int start = 0; start < starts; ++start) {
       points.push_back(point_of(
-          {"breaking_dam", ssph, dt, none, none, none}, jittered, "jittered",
+          {"breaking_dam", ssph, dt, unknown_number, unknown_number, unknown_number}, jittered, "jittered",
           {"pressure.method=ssph", "fluid.jitter=1e-6", fmt::format("fluid.seed={}", start)}, start));
     }
   }

@@ -23,7 +23,8 @@ struct Trade {
 /// The cheapest run of a family whose error is at most that of the target.
 struct Cheapest {
   double target = 0;
-  std::vector<Trade> by_family;  ///< from the cheapest on; families that do not get there are not in it
+  std::vector<Trade> by_family;      ///< from the cheapest on
+  std::vector<std::string> never{};  ///< families that do not get there
 };
 
 std::vector<Cheapest> cheapest_at(const std::vector<Trade>& trades, const std::vector<double>& targets);

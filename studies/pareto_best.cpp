@@ -11,7 +11,7 @@
 namespace sluice {
 
 double least_error(const std::vector<Trade>& trades) {
-  double least = std::numeric_limits<double>::quiet_NaN();
+  double least = unknown_number;
   for (const Trade& trade : trades) {
     if (trade.error > 0 && !(trade.error >= least)) least = trade.error;
   }
@@ -34,7 +34,7 @@ std::vector<double> errors_of_curves(const std::vector<Trade>& trades, const std
 std::vector<Cheapest> cheapest_at(const std::vector<Trade>& trades, const std::vector<double>& targets) {
   std::vector<Cheapest> all;
   for (const double target : targets) {
-    Cheapest cheapest{target, {}};
+    Cheapest cheapest{target, {}, {}};
     for (const Trade& trade : trades) {
       if (!(trade.error <= cheapest.target)) continue;
       const auto same = std::ranges::find(cheapest.by_family, trade.family, &Trade::family);
@@ -44,6 +44,11 @@ std::vector<Cheapest> cheapest_at(const std::vector<Trade>& trades, const std::v
         *same = trade;
     }
     std::ranges::sort(cheapest.by_family, {}, &Trade::seconds);
+    for (const Trade& trade : trades) {
+      if (std::ranges::find(cheapest.by_family, trade.family, &Trade::family) == cheapest.by_family.end() &&
+          std::ranges::find(cheapest.never, trade.family) == cheapest.never.end())
+        cheapest.never.push_back(trade.family);
+    }
     all.push_back(std::move(cheapest));
   }
   return all;
@@ -57,6 +62,7 @@ std::string words_for(const Cheapest& cheapest) {
     words +=
         fmt::format("; {} {:.1f} times as long", trade.family, trade.seconds / cheapest.by_family[0].seconds);
   }
+  for (const std::string& family : cheapest.never) words += fmt::format("; {} not at all", family);
   return words;
 }
 

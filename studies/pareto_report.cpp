@@ -10,11 +10,7 @@
 #include "studies/pareto_scenes.hpp"
 
 namespace sluice {
-namespace {
-
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-
-}  // namespace
+namespace {}  // namespace
 
 double distance_between(const Result& one, const Result& other, double at) {
   const auto displacement = [&](const Result& result) {
@@ -29,7 +25,7 @@ double distance_between(const Result& one, const Result& other, double at) {
     return std::vector<Vec2>();
   };
   const std::vector<Vec2> a = displacement(one), b = displacement(other);
-  if (a.size() != b.size() || a.empty()) return unknown;
+  if (a.size() != b.size() || a.empty()) return unknown_number;
   double sum = 0;
   for (size_t i = 0; i < a.size(); ++i) sum += glm::dot(a[i] - b[i], a[i] - b[i]);
   return std::sqrt(sum / static_cast<double>(a.size())) / one.number("settings/particles/spacing");
@@ -46,7 +42,8 @@ const ParetoScene& scene_of(const std::string& name) {
 }
 
 struct Errors {
-  double seconds = unknown, mean = unknown, max = unknown, distance = unknown, reference = unknown;
+  double seconds = unknown_number, mean = unknown_number, max = unknown_number, distance = unknown_number,
+         reference = unknown_number;
 };
 
 bool is_converged(const Result& result) { return result.point.fact("family") == converged; }
@@ -77,14 +74,15 @@ Errors errors_of(const std::vector<Result>& results, const Result& result) {
 struct Kind {
   const char* name;
   double Errors::*error;
-  bool of_ssph;  ///< targets: what SSPH has with each of its stiffnesses, or else multiples of the least
+  bool of_ssph;     ///< targets: what SSPH has with each of its stiffnesses, or else multiples of the least
+  double resolved;  ///< no target is less: of a distance, what is known of the runs that are compared with
 };
 
 const std::vector<Kind>& kinds() {
-  static const std::vector<Kind> all{{"mean compression", &Errors::mean, true},
-                                     {"largest compression", &Errors::max, true},
-                                     {"distance to a converged run, in h", &Errors::distance, false},
-                                     {"error against the reference", &Errors::reference, false}};
+  static const std::vector<Kind> all{{"mean compression", &Errors::mean, true, 0},
+                                     {"largest compression", &Errors::max, true, 0},
+                                     {"distance to a converged run, in h", &Errors::distance, false, 0.06},
+                                     {"error against the reference", &Errors::reference, false, 0}};
   return all;
 }
 
@@ -100,6 +98,9 @@ std::vector<Trade> trades_of(const std::vector<Observed>& all, const std::string
     if (point.fact("scene") != scene || point.fact("machine") != on_double ||
         point.fact("n") != std::to_string(fine) || std::isnan(errors.*kind.error))
       continue;
+    // Distances to different runs don't compare; with another wall the same start is compared.
+    const std::string& with = point.fact("compared_with");
+    if (kind.error == &Errors::distance && with != "converged" && with != "converged_akinci") continue;
     trades.push_back({scene, point.fact("family"), point.fact("curve"),
                       fmt::format("{}, dt = {}", point.fact("curve"), point.fact("dt")), errors.seconds,
                       errors.*kind.error});
@@ -113,9 +114,9 @@ TextTable best_table(const std::vector<Observed>& all) {
     for (const Kind& kind : kinds()) {
       const std::vector<Trade> trades = trades_of(all, scene.name, kind);
       if (trades.empty()) continue;
-      const std::vector<double> targets =
-          kind.of_ssph ? errors_of_curves(trades, "SSPH")
-                       : std::vector<double>{3 * least_error(trades), 1.5 * least_error(trades)};
+      std::vector<double> targets{3 * least_error(trades), 1.5 * least_error(trades)};
+      if (kind.of_ssph) targets = errors_of_curves(trades, "SSPH");
+      for (double& target : targets) target = std::max(target, kind.resolved);
       for (const Cheapest& cheapest : cheapest_at(trades, targets))
         table.rows.push_back(
             {scene.name, kind.name, fmt::format("{:.2g}", cheapest.target), words_for(cheapest)});
@@ -133,11 +134,35 @@ TextTable machines_table(const std::vector<Observed>& all) {
     const Point& point = result->point;
     if (point.fact("n") != std::to_string(coarse)) continue;
     table.rows.push_back({point.fact("scene"), point.fact("curve"), point.fact("dt"), point.fact("machine"),
-                          fmt::format("{:.3g}", errors.seconds), fmt::format("{:.3g}", errors.mean),
+                          digits(errors.seconds, 3), digits(errors.mean, 3),
                           std::isnan(errors.distance) ? "" : fmt::format("{:.3g}", errors.distance),
                           fmt::format("{:.3g}", errors.reference)});
   }
   return table;
+}
+
+/// What float costs and changes, at the finer resolution.
+std::string float_words(const std::vector<Observed>& all) {
+  std::vector<double> times, changes;
+  for (const auto& [result, errors] : all) {
+    if (result->point.fact("machine") != on_double || result->point.fact("n") != std::to_string(fine))
+      continue;
+    for (const auto& [other, in_float] : all) {
+      const auto same = [&](const char* fact) { return other->point.fact(fact) == result->point.fact(fact); };
+      if (other->point.fact("machine") != on_float || !same("scene") || !same("curve") || !same("dt") ||
+          !same("n"))
+        continue;
+      times.push_back(in_float.seconds / errors.seconds);
+      changes.push_back(std::abs(in_float.mean / errors.mean - 1));
+    }
+  }
+  if (times.empty()) return "";
+  std::ranges::sort(times);
+  std::ranges::sort(changes);
+  return fmt::format(
+      "N = {}: {} runs in float take {:.2f} times the time of those in double (median), and half of "
+      "them change the mean compression by less than {:.1f} % of itself.\n",
+      fine, times.size(), times[times.size() / 2], 100 * changes[changes.size() / 2]);
 }
 
 }  // namespace
@@ -166,7 +191,7 @@ Report pareto_report(const std::vector<Result>& results) {
                                    })}};
   const TextTable best = best_table(all);
   report.tables.push_back({"pareto_best", best});
-  report.page = fmt::format("{}\n{}", best.markdown(), machines_table(all).markdown());
+  report.page = fmt::format("{}\n{}\n{}", best.markdown(), machines_table(all).markdown(), float_words(all));
   return report;
 }
 

@@ -5,10 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <fstream>
-#include <limits>
 
 #include "core/error.hpp"
+#include "media/recording.hpp"
 
 namespace sluice {
 namespace {
@@ -22,13 +23,51 @@ std::string quoted(const std::string& word) {
   return text += '\'';
 }
 
+[[noreturn]] void refuse(const std::filesystem::path& file, const std::string& found) {
+  throw InputError(fmt::format("{}: found {}; run this point again", file.string(), found));
+}
+
 nlohmann::json read_summary(const std::filesystem::path& path) {
   std::ifstream file(path);
   nlohmann::json summary = nlohmann::json::parse(file, nullptr, false);
-  if (!summary.is_object() || summary.value("format", 0) != 1)
-    throw InputError(fmt::format("{}: found no summary of a run; delete the file and run this point again",
-                                 path.string()));
+  if (!summary.is_object() || !summary.contains("format") || summary["format"] != 1)
+    refuse(path, "no summary of a run");
   return summary;
+}
+
+/// The time at which the run of a point ends.
+double planned_end(const Result& result) {
+  const std::vector<std::string>& words = result.point.words;
+  const auto word = std::ranges::find(words, "--time");
+  return word != words.end() ? std::stod(*(word + 1)) : result.number("settings/time/duration");
+}
+
+/// Whether an override is what was run, as far as it is a plain number.
+bool agrees(const Result& result, const std::string& text) {
+  const size_t equals = text.find('=');
+  std::string key = text.substr(0, equals);
+  const char* value = text.c_str() + equals + 1;
+  char* end = nullptr;
+  const double wanted = std::strtod(value, &end);
+  std::ranges::replace(key, '.', '/');
+  const nlohmann::json::json_pointer place(fmt::format("/settings/{}", key));
+  if (*end != '\0' || end == value || !result.summary.contains(place)) return true;
+  const nlohmann::json& found = result.summary.at(place);
+  return !found.is_number() || found.get<double>() == wanted;
+}
+
+/// InputError where the files are not those of a whole run of the point.
+void check(const Result& result) {
+  const PointFiles& files = result.files;
+  if (!result.summary.contains("valid") || !result.summary["valid"].is_boolean())
+    refuse(files.summary, "no word on whether the run is valid");
+  for (const std::string& text : result.point.overrides) {
+    if (!agrees(result, text)) refuse(files.summary, fmt::format("a run without {}", text));
+  }
+  if (result.valid() && result.number("time") < 0.99 * planned_end(result))
+    refuse(files.summary, fmt::format("a run that was interrupted at time {:g}", result.number("time")));
+  if (result.point.series && read_csv(files.series).size() == 0) refuse(files.series, "no step");
+  if (result.point.recording) Recording recording(files.recording);  // checks every byte
 }
 
 }  // namespace
@@ -69,18 +108,27 @@ std::string line_of(const Point& point, const std::filesystem::path& folder) {
 }
 
 double Result::number(const std::string& key) const {
-  const nlohmann::json& value = summary.at(nlohmann::json::json_pointer(fmt::format("/{}", key)));
-  return value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>();
+  const nlohmann::json::json_pointer place(fmt::format("/{}", key));
+  if (!summary.contains(place) || !(summary.at(place).is_number() || summary.at(place).is_null()))
+    refuse(files.summary, fmt::format("no number {}", key));
+  const nlohmann::json& value = summary.at(place);
+  return value.is_null() ? unknown_number : value.get<double>();
 }
 
-std::vector<Result> results_in(const std::filesystem::path& folder, const std::vector<Point>& points) {
-  std::vector<Result> results;
+Results results_in(const std::filesystem::path& folder, const std::vector<Point>& points) {
+  Results results;
   for (const Point& point : points) {
     PointFiles files(folder, point);
     std::error_code error;
     if (!std::filesystem::exists(files.summary, error)) continue;
-    nlohmann::json summary = read_summary(files.summary);
-    results.push_back({point, std::move(files), std::move(summary)});
+    try {
+      nlohmann::json summary = read_summary(files.summary);
+      Result result{point, std::move(files), std::move(summary)};
+      check(result);
+      results.whole.push_back(std::move(result));
+    } catch (const InputError& unusable) {
+      results.unusable.push_back(unusable.what());
+    }
   }
   return results;
 }

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -52,11 +53,18 @@ struct Result {
 
   bool valid() const { return summary.at("valid").get<bool>(); }
   /// A number of the summary; NaN where it is null. Parts are separated by '/', as in "seconds/total".
+  /// InputError where there is none.
   double number(const std::string& key) const;
 };
 
-/// The results that are there, in the order of the points. InputError where a summary is none.
-std::vector<Result> results_in(const std::filesystem::path& folder, const std::vector<Point>& points);
+/// What is there of the points, in their order.
+struct Results {
+  std::vector<Result> whole;
+  /// Of those that are there but no good, which file and why: not a summary, of a run that was interrupted or
+  /// of another one, without its series or recording.
+  std::vector<std::string> unusable;
+};
+Results results_in(const std::filesystem::path& folder, const std::vector<Point>& points);
 
 /// What a study ends in.
 struct Report {
@@ -78,6 +86,8 @@ const std::vector<Study>& studies();
 /// A table with the facts of each result, and further columns that `measure` fills.
 TextTable tidy(const std::vector<Result>& results, const std::vector<std::string>& columns,
                const std::function<std::vector<std::string>(const Result&)>& measure);
+
+inline constexpr double unknown_number = std::numeric_limits<double>::quiet_NaN();
 
 /// A number with so many digits; empty for NaN.
 std::string digits(double value, int count = 6);

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <limits>
 
+#include "studies/study.hpp"
+
 namespace sluice {
 namespace {
-
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 /// The top of the parabola through three points.
 double top_of(const TimeCurve& curve, size_t i) {
@@ -45,7 +45,7 @@ Extremes extremes_of(const TimeCurve& curve) {
 double TimeCurve::at(double t) const {
   if (t <= time.front()) return value.front();
   const auto after = static_cast<size_t>(std::ranges::lower_bound(time, t) - time.begin());
-  if (after == time.size()) return unknown;
+  if (after == time.size()) return unknown_number;
   const double part = (t - time[after - 1]) / (time[after] - time[after - 1]);
   return value[after - 1] + part * (value[after] - value[after - 1]);
 }
@@ -76,7 +76,7 @@ double fitted_delay(const TimeCurve& ours, const TimeCurve& reference, double le
 
 Oscillation oscillation_of(const TimeCurve& curve) {
   const auto [zeros, amplitudes] = extremes_of(curve);
-  if (zeros.size() < 3) return {unknown, unknown};
+  if (zeros.size() < 3) return {unknown_number, unknown_number};
   const double period = 2 * (zeros.back() - zeros.front()) / static_cast<double>(zeros.size() - 1);
   return {period, 1 - std::exp(slope_of(amplitudes) * period)};
 }

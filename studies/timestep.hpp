@@ -26,6 +26,7 @@ struct StepLimit {
   double steady = 0;  ///< the same of the steps up to which every smaller one of the grid passes, too
   double least = 0, most = 0;  ///< over the starts, of the largest step with which that start passes
   double lost = 0;             ///< particles, the median over the starts at that step
+  size_t starts = 0;           ///< of that step
   bool at_the_end = false;     ///< the largest of the grid passes, so the limit may be beyond it
 };
 

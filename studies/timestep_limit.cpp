@@ -35,7 +35,10 @@ StepLimit step_limit(const std::vector<Trial>& trials) {
     if (steady) limit.steady = dt;
   }
   if (by_start.empty()) return limit;
-  if (limit.dt > 0) limit.lost = median(lost[limit.dt]);
+  if (limit.dt > 0) {
+    limit.lost = median(lost[limit.dt]);
+    limit.starts = lost[limit.dt].size();
+  }
   limit.least = std::numeric_limits<double>::infinity();
   for (const auto& [start, dt] : by_start) {
     limit.least = std::min(limit.least, dt);

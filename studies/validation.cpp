@@ -40,6 +40,15 @@ const ValidationCase& case_of(const Point& point) {
   return *found;
 }
 
+/// Of a run that became invalid, those that have a limit, infinitely far off.
+std::vector<Measure> measures_of(const ValidationCase& known, const Result& result) {
+  if (result.valid()) return known.measure(result);
+  std::vector<Measure> measures;
+  for (const Limit& limit : known.limits)
+    measures.push_back({limit.quantity, unknown_number, unknown_number, invalid_error});
+  return measures;
+}
+
 }  // namespace
 
 const std::vector<ValidationCase>& validation_cases() {
@@ -79,20 +88,21 @@ Report validation_report(const std::vector<Result>& results) {
     if (!result.valid()) {
       row.insert(row.end(), {"valid", "0", "1", "", seconds});
       tidy_rows.rows.push_back(row);
-      continue;
     }
-    for (const Measure& measure : case_of(point).measure(result)) {
+    for (const Measure& measure : measures_of(case_of(point), result)) {
       std::vector<std::string> cells = row;
       cells.insert(cells.end(), {measure.quantity, digits(measure.ours), digits(measure.reference),
                                  digits(measure.error), seconds});
       tidy_rows.rows.push_back(std::move(cells));
       curves[{point.fact("case"), measure.quantity, point.fact("method"), point.fact("machine")}]
-          .error[std::stoi(point.fact("n"))] = measure.error;
+          .error[std::stoi(point.fact("n"))] = std::isnan(measure.error) ? invalid_error : measure.error;
     }
   }
   Report report;
-  report.tables = {{"validate", tidy_rows}};
-  report.page = validation_page(curves, report.faults);
+  const ValidationTables tables = validation_tables(curves, report.faults);
+  report.tables = {
+      {"validate", tidy_rows}, {"validate_limits", tables.limits}, {"validate_methods", tables.methods}};
+  report.page = page_of(tables);
   return report;
 }
 

@@ -33,6 +33,7 @@ struct ValidationCase {
   std::string name;   ///< of its scene in scenes/validation
   double length = 1;  ///< the spacing is length / N
   std::vector<Limit> limits;
+  bool exact = false;  ///< limits are for every method, not for the best
   std::vector<Variant> variants;
   std::vector<std::string> words = {};  ///< further words of `sluice run`
   bool series = false, recording = false;

@@ -12,8 +12,6 @@
 namespace sluice {
 namespace {
 
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-
 /// The height is that of the water in the first tenth of the column's width.
 constexpr double wall_strip = 0.1;
 
@@ -48,7 +46,7 @@ Measure energy_of(const Result& result, const Collapse& collapse) {
   const double scale = collapse.energy - mass * wall_faces * h;  // what the column may fall
   const double rise = largest_rise(series.column("kinetic_energy"), series.column("potential_energy"),
                                    collapse.energy, scale);
-  return {"energy", unknown, unknown, rise};
+  return {"energy", unknown_number, unknown_number, rise};
 }
 
 std::vector<Measure> measure(const Result& result) {
@@ -59,9 +57,9 @@ std::vector<Measure> measure(const Result& result) {
   const double end = front.time.back();
   // The gate of the experiment takes time to open; 0.25 is about what it needs.
   const double delay = fitted_delay(ours.front, front, -0.5, 1);
-  return {{"height", unknown, unknown, distance(ours.height, height)},
+  return {{"height", unknown_number, unknown_number, distance(ours.height, height)},
           {"front", ours.front.at(end), front.value.back(), distance(ours.front, front)},
-          {"front_offset", delay, unknown, distance(ours.front, front, delay)},
+          {"front_offset", delay, unknown_number, distance(ours.front, front, delay)},
           {"front_koshizuka", ours.front.at(koshizuka.time.back()), koshizuka.value.back(),
            distance(ours.front, koshizuka)},
           energy_of(result, ours)};
@@ -113,9 +111,12 @@ double height_at_wall(const std::vector<Vec2>& bulk, double until) {
 
 double largest_rise(const std::vector<double>& kinetic, const std::vector<double>& potential, double start,
                     double scale) {
-  double rise = 0;
-  for (size_t i = 0; i < kinetic.size(); ++i)
-    rise = std::max(rise, (kinetic[i] + potential[i] - start) / scale);
+  double rise = 0, least = start;
+  for (size_t i = 0; i < kinetic.size(); ++i) {
+    const double energy = kinetic[i] + potential[i];
+    least = std::min(least, energy);
+    rise = std::max(rise, (energy - least) / scale);
+  }
   return rise;
 }
 

@@ -12,11 +12,10 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-constexpr double unknown_number = std::numeric_limits<double>::quiet_NaN();
-
 /// The time of that change of sign after the start, which is round but for rounding; NaN where there are
 /// fewer.
 double time_of_change(size_t number, const std::vector<double>& times, const std::vector<double>& values) {
+  if (values.size() < 4) return unknown_number;
   for (size_t i = 1, changes = 0; i + 1 < values.size(); ++i)
     if ((values[i] < 0) != (values[i + 1] < 0) && ++changes == number) return zero_after(i, times, values);
   return unknown_number;

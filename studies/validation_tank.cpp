@@ -12,8 +12,6 @@
 namespace sluice {
 namespace {
 
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-
 /// Averages are over what is left of the run, when it has come to rest.
 constexpr double at_rest_from = 0.5;
 
@@ -35,7 +33,7 @@ Measure pressure_of(const Result& result, const Tank& tank) {
     const Moment moment = recording.moment(frame);
     if (moment.report.time >= tank.begin) bins.add(moment.state.x, moment.state.pressure);
   }
-  return {"pressure", unknown, unknown, bins.error(tank.weight) / (tank.weight * tank.depth)};
+  return {"pressure", unknown_number, unknown_number, bins.error(tank.weight) / (tank.weight * tank.depth)};
 }
 
 Measure drift_of(const CsvTable& series, const Tank& tank) {

@@ -52,7 +52,7 @@ double front_of(const std::vector<Vec2>& bulk);
 /// The largest y of those with x < `until`; the least y of all where there is none.
 double height_at_wall(const std::vector<Vec2>& bulk, double until);
 
-/// The largest rise of the energy over `start`, relative to `scale`; 0 where it never rises.
+/// The largest rise of the energy from the least that it has been since it was `start`, relative to `scale`.
 double largest_rise(const std::vector<double>& kinetic, const std::vector<double>& potential, double start,
                     double scale);
 

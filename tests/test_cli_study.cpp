@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <fstream>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -145,14 +146,30 @@ TEST(CliStudy, CollectsWhatIsThereAndSaysWhatIsNot) {
   EXPECT_EQ(run_program({"study", "density", "--list", "--collect", "out"}, folder.path).code, 2);
 }
 
+// A result that is no good is named, and the others make the tables.
+TEST(CliStudy, CollectsBesideWhatIsNoGood) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(run_program({"study", "density", "--only", "iisph_", "--out", "out"}, folder.path).code, 0);
+  std::ofstream(folder.path / "out" / "runs" / "iisph_recommended.csv") << "step,time\n";
+  const ProgramResult result = run_program({"study", "density", "--collect", "out"}, folder.path);
+  EXPECT_EQ(result.code, 1);
+  EXPECT_TRUE(has(result.err, "iisph_recommended.csv: found no step")) << result.err;
+  EXPECT_TRUE(has(result.out, "IISPH, for pressure")) << result.out;
+  EXPECT_FALSE(has(result.out, "IISPH, recommended")) << result.out;
+}
+
 // What an earlier study left is not taken for a result of this one.
 TEST(CliStudy, APointThatCannotRunLeavesNoResult) {
   const TemporaryFolder folder;
-  std::filesystem::create_directories(folder.path / "out" / "runs" / "iisph_for_pressure.csv" / "in_the_way");
-  const ProgramResult result =
-      run_program({"study", "density", "--only", "pressure", "--out", "out"}, folder.path);
-  EXPECT_NE(result.code, 0);
+  const Words words{"study", "density", "--only", "for_pressure", "--out", "out"};
+  ASSERT_EQ(run_program(words, folder.path).code, 0);
+  const std::filesystem::path runs = folder.path / "out" / "runs";
+  std::filesystem::remove(runs / "iisph_for_pressure.csv");
+  std::filesystem::create_directories(runs / "iisph_for_pressure.csv" / "in_the_way");
+  const ProgramResult result = run_program(words, folder.path);
+  EXPECT_EQ(result.code, 1);
   EXPECT_TRUE(has(result.err, "iisph_for_pressure: failed: ")) << result.err;
+  EXPECT_EQ(names_in(runs), (Words{"iisph_for_pressure.csv"}));
 }
 
 // A million particles take more than a second of a processor's time: the case is killed, not the study.

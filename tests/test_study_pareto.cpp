@@ -6,7 +6,6 @@
 
 #include "media/recording.hpp"
 #include "studies/pareto.hpp"
-#include "studies/pareto_scenes.hpp"
 #include "tests/support/run_program.hpp"
 #include "tests/support/simulation.hpp"
 
@@ -40,20 +39,13 @@ TEST(Cheapest, TargetsAreTheErrorsOfCurves) {
 
 TEST(Cheapest, IsSaidInWords) {
   const std::vector<Cheapest> found = cheapest_at(trades, {0.2, 0.001});
-  EXPECT_EQ(words_for(found[0]), "b1: 0.5 s; A 2.0 times as long");
+  EXPECT_EQ(words_for(found[0]), "b1: 0.5 s; A 2.0 times as long; C not at all");
   EXPECT_EQ(words_for(found[1]), "nobody");
 }
 
 TEST(Cheapest, LeastErrorIsThatOfANumber) {
   EXPECT_EQ(least_error(trades), 0.009);
   EXPECT_TRUE(std::isnan(least_error({})));
-}
-
-TEST(ParetoScenes, AreCasesWithALimitOnWhatIsShown) {
-  for (const ParetoScene& scene : pareto_scenes()) {
-    const auto& limits = scene.validation().limits;
-    EXPECT_NE(std::ranges::find(limits, scene.quantity, &Limit::quantity), limits.end()) << scene.name;
-  }
 }
 
 /// Three particles that move by `shift`, at t = 0, 0.5 and 1.

@@ -16,8 +16,10 @@ TEST(ErrorCurve, OrderIsTheSlopeOverTheSpacing) {
   EXPECT_NEAR((ErrorCurve{{{20, 0.04}, {80, 0.0025}}}).order(), 2, 1e-12);
   EXPECT_TRUE(std::isnan((ErrorCurve{{{20, 0.04}}}).order()));
   EXPECT_TRUE(std::isnan((ErrorCurve{{{20, 0.04}, {80, 0}}}).order()));
-  EXPECT_EQ((ErrorCurve{{{20, 0.04}, {40, 0.02}}}).decisive(), 0.02);
-  EXPECT_EQ((ErrorCurve{{{20, 0.04}}}).decisive(), 0.04);
+}
+
+std::string validation_page(const ErrorCurves& curves, std::vector<std::string>& faults) {
+  return page_of(validation_tables(curves, faults));
 }
 
 /// Two methods, of which B is better at N = 40 and worse at the others.
@@ -43,7 +45,30 @@ TEST(ValidationPage, ALimitThatIsNotMetIsAFault) {
   const std::string page = validation_page(two_methods(0.0035), faults);
   EXPECT_TRUE(has(page, "| B | 1 % | 0.35 % | 0.07 % | 1.9 | 0.3 % | FAIL |")) << page;
   ASSERT_EQ(faults.size(), 1u);
-  EXPECT_EQ(faults[0], "oscillating_drop: period is off by 0.35 % at N = 40, expected at most 0.3 %");
+  EXPECT_EQ(faults[0], "oscillating_drop: period of B is off by 0.35 % at N = 40, expected at most 0.3 %");
+}
+
+// A method that is valid at N = 20 only is not the best one of those that were run at N = 40.
+TEST(ValidationPage, ARunThatBecameInvalidIsAFaultWhenNoneIsBetter) {
+  std::vector<std::string> faults;
+  const ErrorKey a{"oscillating_drop", "period", "A", "double"},
+      b{"oscillating_drop", "period", "B", "double"};
+  EXPECT_TRUE(has(
+      validation_page({{a, {{{20, 0.001}, {40, invalid_error}}}}, {b, {{{20, 0.01}, {40, 0.002}}}}}, faults),
+      "| period | B | 1 % | 0.2 % |"));
+  EXPECT_TRUE(faults.empty());
+  const std::string page = validation_page({{a, {{{20, 0.001}, {40, invalid_error}}}}}, faults);
+  EXPECT_TRUE(has(page, "| A | 0.1 % | invalid |  |  | 0.3 % | FAIL |")) << page;
+  EXPECT_EQ(faults.size(), 1u);
+}
+
+TEST(ValidationPage, ExactCasesAreExactWithEveryMethod) {
+  std::vector<std::string> faults;
+  validation_page({{{"free_fall", "momentum", "IISPH", "double"}, {{{40, 1e-15}}}},
+                   {{"free_fall", "momentum", "SSPH", "double"}, {{{40, 1e-6}}}}},
+                  faults);
+  ASSERT_EQ(faults.size(), 1u);
+  EXPECT_TRUE(has(faults[0], "free_fall: momentum of SSPH")) << faults[0];
 }
 
 TEST(ValidationPage, ShowsWhatRoundingChanges) {

@@ -160,7 +160,7 @@ TEST(ValidationWithWalls, TheCoarseRunsKeepTheLimits) {
   const ProgramResult result =
       run_program({"study", "validate", "--only", "_iisph_20_double", "--out", "out"}, folder.path);
   std::map<std::string, double> errors;
-  for (const Result& run : results_in(folder / "out", validation_points())) {
+  for (const Result& run : results_in(folder / "out", validation_points()).whole) {
     const std::string& name = run.point.fact("case");
     const auto known = std::ranges::find(validation_cases(), name, &ValidationCase::name);
     for (const Measure& measure : known->measure(run))

@@ -126,6 +126,7 @@ TEST(PressureOfATank, LeavesOutWhatIsHardlyWater) {
 
 TEST(EnergyOfADam, RisesAreSeen) {
   EXPECT_DOUBLE_EQ(largest_rise({0, 1, 3, 1}, {10, 9, 8, 7}, 10, 4), 0.25);
+  EXPECT_DOUBLE_EQ(largest_rise({0, 1, 2, 1}, {10, 5, 6, 6}, 10, 4), 0.5) << "after it fell";
   EXPECT_DOUBLE_EQ(largest_rise({0, 1, 2}, {10, 9, 7}, 10, 4), 0);
 }
 

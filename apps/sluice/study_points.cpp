@@ -71,19 +71,21 @@ bool run_all(const std::vector<Point>& points, const fs::path& folder, int jobs)
   size_t ended = 0;
   bool all = true;
   in_children(points.size(), jobs, task, [&](size_t i, const ChildEnd& end) {
+    const bool ran = end.signal == 0 && end.code == 0 && (end.text == "0" || end.text == "1");
     std::string how = end.text == "0" ? "done" : "became invalid";
     if (end.signal != 0) how = fmt::format("crashed with signal {}", end.signal);
-    if (end.signal == 0 && end.code != 0) how = fmt::format("failed: {}", end.text);
-    all = all && end.signal == 0 && end.code == 0;
+    if (end.signal == 0 && !ran) how = fmt::format("failed: {}", end.text);
+    all = all && ran;
     fmt::print(stderr, "{:>5}/{} {:6.1f} s  {}: {}\n", ++ended, points.size(), end.seconds, points[i].name,
                how);
   });
   return all;
 }
 
-/// Of those results that are there.
+/// Of those results that are there. Returns the exit code.
 int collect(const Study& study, const std::vector<Point>& points, const fs::path& from, const fs::path& to) {
-  const std::vector<Result> results = results_in(from, points);
+  const auto [results, unusable] = results_in(from, points);
+  for (const std::string& what : unusable) fmt::print(stderr, "sluice: {}\n", what);
   if (results.empty()) {
     throw InputError(
         fmt::format("{}: found no result of the study {}, expected files runs/NAME.json; run the "
@@ -99,7 +101,7 @@ int collect(const Study& study, const std::vector<Point>& points, const fs::path
   write_file(to / fmt::format("{}.md", study.name), report.page);
   fmt::print("{}", report.page);
   for (const std::string& fault : report.faults) fmt::print(stderr, "sluice: not as expected: {}\n", fault);
-  return report.faults.empty() ? 0 : 1;
+  return report.faults.empty() && unusable.empty() ? 0 : 1;
 }
 
 }  // namespace
@@ -113,9 +115,9 @@ int study_points(const Study& study, const StudyOptions& options) {
   }
   if (options.collect)
     return collect(study, points, *options.collect, options.out.value_or(*options.collect));
-  const bool all = run_all(points, *options.out, options.jobs);
-  const int code = collect(study, points, *options.out, *options.out);
-  return all ? code : 1;
+  if (run_all(points, *options.out, options.jobs)) return collect(study, points, *options.out, *options.out);
+  if (!results_in(*options.out, points).whole.empty()) collect(study, points, *options.out, *options.out);
+  return 1;
 }
 
 }  // namespace sluice
