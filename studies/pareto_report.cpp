@@ -117,6 +117,7 @@ TextTable best_table(const std::vector<Observed>& all) {
       std::vector<double> targets{3 * least_error(trades), 1.5 * least_error(trades)};
       if (kind.of_ssph) targets = errors_of_curves(trades, "SSPH");
       for (double& target : targets) target = std::max(target, kind.resolved);
+      targets.erase(std::unique(targets.begin(), targets.end()), targets.end());
       for (const Cheapest& cheapest : cheapest_at(trades, targets))
         table.rows.push_back(
             {scene.name, kind.name, fmt::format("{:.2g}", cheapest.target), words_for(cheapest)});

@@ -94,7 +94,7 @@ TEST(Results, AreThoseThatAreThere) {
 /// Why the only result, of a point with a series, is no good; nothing if it is.
 std::string reason(const nlohmann::json& json, const std::string& series = "step,time\n1,0.1\n") {
   const TemporaryFolder folder;
-  Point point{.name = "a", .scene = "s", .overrides = {"time.dt=0.1", "scene.title=1 x"}};
+  Point point{.name = "a", .scene = "s", .overrides = {"time.dt=0.3", "time.dt=0.1", "scene.title=1 x"}};
   point.series = true;
   write(folder.path / "runs" / "a.json", json.is_string() ? json.get<std::string>() : json.dump());
   if (!series.empty()) write(folder.path / "runs" / "a.csv", series);
