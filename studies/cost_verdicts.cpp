@@ -117,8 +117,14 @@ void judge_race(const Costs& ssph, const Costs& iisph, const std::string& method
                (ours > 1) == (theirs > 1), why_of_solver(method));
 }
 
+std::string why_of_starts(const std::vector<Starts>& starts, const std::string& dt) {
+  const auto those = std::ranges::find(starts, dt, &Starts::dt);
+  if (those == starts.end()) return "";
+  return fmt::format("of {} jittered starts {} lose particles", those->starts, those->with_losses);
+}
+
 void judge_ssph(const Costs& ssph, const std::string& scene, const std::string& dt, double their_share,
-                Verdicts& verdicts) {
+                const std::vector<Starts>& starts, Verdicts& verdicts) {
   const Cost* state = at(ssph, dt);
   if (state == nullptr) return;
   verdicts.add(fmt::format("{}: SSPH's stiffness keeps the mean compression under 0.1 %", scene),
@@ -129,7 +135,7 @@ void judge_ssph(const Costs& ssph, const std::string& scene, const std::string& 
                share(*state) < 0.02);
   verdicts.add(fmt::format("{}: SSPH is stable at dt = {}", scene, dt), "stable",
                fmt::format("largest cfl {:.2f}, {:g} lost", state->cfl_max, state->lost),
-               state->valid && state->lost == 0 && state->cfl_max < 0.5);
+               state->valid && state->lost == 0 && state->cfl_max < 0.5, why_of_starts(starts, dt));
 }
 
 /// Whether single particles stray is chance: it is asked of all starts.
@@ -179,7 +185,7 @@ TextTable cost_verdicts(const Costs& costs, const std::vector<Starts>& starts) {
     if (!bb.empty()) judge_best(bb, better, "dam", theirs, verdicts);
     judge_race(ssph, dam, jacobi, "dam", "0.01", 98.09 / 62.38, verdicts);
     judge_race(ssph, bb, better, "dam", "0.01", 98.09 / 62.38, verdicts);
-    judge_ssph(ssph, "dam", "0.01", 0.241 / 98.09, verdicts);
+    judge_ssph(ssph, "dam", "0.01", 0.241 / 98.09, starts, verdicts);
     judge_strays(starts, "0.011", "single particles stray", verdicts);
     judge_strays(starts, "0.019", "unstable", verdicts);
   }
@@ -191,7 +197,7 @@ TextTable cost_verdicts(const Costs& costs, const std::vector<Starts>& starts) {
     if (!bb.empty()) judge_best(bb, better, "leak", theirs, verdicts);
     judge_race(ssph, leak, jacobi, "leak", "0.004", 649.78 / 738.65, verdicts);
     judge_race(ssph, bb, better, "leak", "0.004", 649.78 / 738.65, verdicts);
-    judge_ssph(ssph, "leak", "0.004", 1.49 / 649.78, verdicts);
+    judge_ssph(ssph, "leak", "0.004", 1.49 / 649.78, {}, verdicts);
     judge_next_step(ssph, "0.0045", verdicts);
   }
   judge_tuning(costs, verdicts);

@@ -83,8 +83,10 @@ TextTable verdicts_of(const Amplitudes& amplitudes) {
   verdicts.add("IISPH hardly oscillates", "hardly to be seen",
                fmt::format("last amplitude {:.1e}, SSPH's least {:.1e}", late[3], late[2]),
                late[3] < late[2]);
-  verdicts.add("amplitudes become smaller with time in all four", "smaller",
-               fmt::format("last over first {}", text_of(change)), *std::ranges::max_element(change) < 1);
+  verdicts.add(
+      "amplitudes become smaller with time in all four", "smaller",
+      fmt::format("last over first {}", text_of(change)), *std::ranges::max_element(change) < 1,
+      fmt::format("IISPH's first window is its settling; its windows: {}", text_of(amplitudes.at("IISPH"))));
   return verdicts.table();
 }
 

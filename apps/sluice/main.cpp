@@ -18,7 +18,7 @@ namespace {
 constexpr int bad_input = 2, environment_failed = 3;
 
 int fail(int code, const std::string& message) {
-  fmt::print(stderr, "sluice: {}\n", message);
+  std::fputs(fmt::format("sluice: {}\n", message).c_str(), stderr);  // may be closed, too, and must not throw
   return code;
 }
 
@@ -67,7 +67,7 @@ int dispatch(int argc, char** argv) {
   sluice::declare_export_options(*from_recording, exporting);
 
   sluice::StudyOptions studying;
-  auto* study = app.add_subcommand("study", "Run a table of cases, on the CPU and on OpenGL");
+  auto* study = app.add_subcommand("study", "Run a table of runs; without a name the studies are listed");
   sluice::declare_study_options(*study, studying);
 
   try {

@@ -271,9 +271,11 @@ void declare_run_options(CLI::App& app, RunOptions& options) {
 
 void declare_study_options(CLI::App& app, StudyOptions& options) {
   app.add_option("NAME", options.name, "Which table; without one they are listed");
-  add_path(app, "--out", options.out, "Write the tables and the scenes into this folder")->type_name("DIR");
-  app.add_flag("--quick", options.quick, "Only some, which take a minute");
-  app.add_option("--only", options.only, "Only cases whose name has this text in it")->type_name("TEXT");
+  add_path(app, "--out", options.out, "Write the tables, and what they are made of, into this folder")
+      ->type_name("DIR");
+  app.add_flag("--quick", options.quick, "Only a part, which takes a minute at most");
+  app.add_option("--only", options.only, "Only cases or points whose name has this text in it")
+      ->type_name("TEXT");
   app.add_flag("--list", options.list, "Print the `sluice run` of each case, one per line, and run nothing");
   add_path(app, "--collect", options.collect,
            "Run nothing: make the tables of what results of the lines of --list are in this folder")
