@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "studies/settings.hpp"
+
 namespace sluice {
 namespace {
 
@@ -41,10 +43,7 @@ void add_points(std::vector<Point>& points, const Published& row, int repeat) {
     return;
   }
   points.push_back(point_of(row, jacobi, "jacobi", {}, repeat));
-  points.push_back(point_of(row, barzilai_borwein, "bb",
-                            {"pressure.iisph.solver=barzilai-borwein", "pressure.iisph.wall=symmetric",
-                             "pressure.iisph.warm_start=1"},
-                            repeat));
+  points.push_back(point_of(row, barzilai_borwein, "bb", recommended, repeat));
 }
 
 /// Of the stages that the pressure is made by. The thesis counts the acceleration by it only where it is part

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 
+#include "studies/settings.hpp"
 #include "studies/verdicts.hpp"
 
 namespace sluice {
@@ -97,13 +98,8 @@ std::vector<Point> density_points() {
           ssph("6.10", "1e4", "0.1"),
           ssph("6.11", "1e5", "0.05"),
           ssph("6.12", "1e6", "0.01"),
-          run("iisph_recommended", "", "IISPH, recommended",
-              {"pressure.iisph.solver=barzilai-borwein", "pressure.iisph.wall=symmetric",
-               "pressure.iisph.warm_start=1"}),
-          run("iisph_for_pressure", "", "IISPH, for pressure",
-              {"pressure.iisph.solver=barzilai-borwein", "pressure.iisph.wall=symmetric",
-               "pressure.iisph.warm_start=1", "pressure.iisph.stop=residual", "pressure.iisph.tolerance=1e-2",
-               "pressure.iisph.source_weight=0.2"})};
+          run("iisph_recommended", "", "IISPH, recommended", recommended),
+          run("iisph_for_pressure", "", "IISPH, for pressure", with(recommended, quiet_pressure))};
 }
 
 Report density_report(const std::vector<Result>& results) {

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "studies/pareto_scenes.hpp"
+#include "studies/settings.hpp"
 
 namespace sluice {
 
@@ -35,27 +36,17 @@ namespace {
 
 using namespace pareto;
 
-using Words = std::vector<std::string>;
-
 /// A way to compute a scene.
 struct Curve {
   std::string stem, family, label;
-  Words overrides;
+  Settings overrides;
   std::vector<double> steps;  ///< in spacings
   std::string converged;      ///< the stem of the run that it is compared with
   bool state_equation = false;
 };
 
-const Words recommended{"pressure.iisph.solver=barzilai-borwein", "pressure.iisph.wall=symmetric",
-                        "pressure.iisph.warm_start=1"};
-
-Words with(Words words, const Words& more) {
-  words.insert(words.end(), more.begin(), more.end());
-  return words;
-}
-
 /// Every curve has its smoothing and its start written out, so that it does not depend on the scene's own.
-Words start(const ParetoScene& scene, bool relaxed, double smoothing) {
+Settings start(const ParetoScene& scene, bool relaxed, double smoothing) {
   const bool relax = relaxed && scene.free_surface;
   return {fmt::format("particles.smoothing={:g}", smoothing),
           fmt::format("fluid.jitter={:g}", relax ? 0.15 : 0), fmt::format("fluid.relax={}", relax ? 20 : 0)};
@@ -71,7 +62,7 @@ Curve state_equation(const ParetoScene& scene, const std::string& method, double
                      const std::string& percent) {
   const bool wcsph = method == "wcsph";
   const double stiffness = times * scene.stiffness;
-  Words overrides = start(scene, true, 1);
+  Settings overrides = start(scene, true, 1);
   overrides.push_back("pressure.method=" + method);
   overrides.push_back(fmt::format("pressure.{}.{}={:g}", method, wcsph ? "kappa" : "stiffness", stiffness));
   const std::string title = wcsph ? "WCSPH" : "SSPH";
@@ -85,7 +76,7 @@ Curve state_equation(const ParetoScene& scene, const std::string& method, double
 }
 
 Curve iisph(const ParetoScene& scene, const std::string& stem, const std::string& label,
-            const Words& overrides, int steps) {
+            const Settings& overrides, int steps) {
   return {stem,
           "IISPH, Barzilai-Borwein",
           "IISPH, Barzilai-Borwein" + label,
@@ -95,7 +86,7 @@ Curve iisph(const ParetoScene& scene, const std::string& stem, const std::string
 }
 
 std::vector<Curve> curves_of(const ParetoScene& scene) {
-  const Words tight{"pressure.iisph.tolerance=1e-4"};
+  const Settings tight{"pressure.iisph.tolerance=1e-4"};
   std::vector<Curve> curves;
   for (const std::string method : {"ssph", "wcsph"}) {
     curves.push_back(state_equation(scene, method, 0.1, "10"));
@@ -114,10 +105,7 @@ std::vector<Curve> curves_of(const ParetoScene& scene) {
   curves.push_back(iisph(scene, "bb_2", ", 1e-2", {"pressure.iisph.tolerance=1e-2"}, 3));
   curves.push_back(iisph(scene, "bb_3", ", 1e-3", {"pressure.iisph.tolerance=1e-3"}, 4));
   curves.push_back(iisph(scene, "bb_4", ", 1e-4", tight, 4));
-  curves.push_back(iisph(
-      scene, "bb_pressure", ", for pressure",
-      {"pressure.iisph.stop=residual", "pressure.iisph.tolerance=1e-2", "pressure.iisph.source_weight=0.2"},
-      3));
+  curves.push_back(iisph(scene, "bb_pressure", ", for pressure", quiet_pressure, 3));
   if (scene.free_surface) {
     curves.push_back(
         iisph(scene, "bb_lattice", ", 1e-4, lattice start", with(start(scene, false, 1), tight), 3));
@@ -136,7 +124,7 @@ std::vector<Curve> curves_of(const ParetoScene& scene) {
 std::vector<Curve> converged_runs(const ParetoScene& scene) {
   if (scene.before_chaos == 0) return {};
   std::vector<Curve> curves;
-  for (const auto& [stem, overrides] : {std::pair<std::string, Words>{"converged", {}},
+  for (const auto& [stem, overrides] : {std::pair<std::string, Settings>{"converged", {}},
                                         {"converged_lattice", start(scene, false, 1)},
                                         {"converged_smooth", start(scene, true, 1.2)},
                                         {"converged_akinci", {"boundary.model=akinci"}}}) {

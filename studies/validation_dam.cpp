@@ -7,6 +7,7 @@
 
 #include "media/recording.hpp"
 #include "studies/csv_table.hpp"
+#include "studies/settings.hpp"
 #include "studies/validation_waters.hpp"
 
 namespace sluice {
@@ -65,12 +66,8 @@ std::vector<Measure> measure(const Result& result) {
           energy_of(result, ours)};
 }
 
-using Settings = std::vector<std::string>;
-
 Settings iisph_and(int n, const Settings& more) {
-  Settings settings{fmt::format("time.dt={:.17g}", 0.16 / n)};
-  settings.insert(settings.end(), more.begin(), more.end());
-  return settings;
+  return with({fmt::format("time.dt={:.17g}", 0.16 / n)}, more);
 }
 Settings iisph(int n) { return iisph_and(n, {}); }
 Settings iisph_unsmoothed(int n) { return iisph_and(n, {"particles.smoothing=1"}); }
@@ -79,10 +76,7 @@ Settings iisph_lattice(int n) { return iisph_and(n, {"fluid.jitter=0", "fluid.re
 /// falls, and is thrown back.
 Settings iisph_recommended(int n) { return iisph_and(n, {"pressure.iisph.tolerance=1e-3"}); }
 
-Settings iisph_for_pressure(int n) {
-  return {fmt::format("time.dt={:.17g}", 0.3 / n), "pressure.iisph.stop=residual",
-          "pressure.iisph.tolerance=1e-2", "pressure.iisph.source_weight=0.2"};
-}
+Settings iisph_for_pressure(int n) { return with({fmt::format("time.dt={:.17g}", 0.3 / n)}, quiet_pressure); }
 
 /// A state equation is not at peace with the mirror wall unless viscosity takes what the wall gives.
 Settings state_equation(const char* method, int n) {

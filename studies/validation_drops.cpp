@@ -7,10 +7,12 @@
 #include <cmath>
 #include <limits>
 
+#include "studies/settings.hpp"
+
 namespace sluice {
 namespace {
 
-using Words = std::vector<std::string>;
+using Words = Settings;
 
 /// The time of that change of sign after the start, which is round but for rounding; NaN where there are
 /// fewer.
@@ -19,11 +21,6 @@ double time_of_change(size_t number, const std::vector<double>& times, const std
   for (size_t i = 1, changes = 0; i + 1 < values.size(); ++i)
     if ((values[i] < 0) != (values[i + 1] < 0) && ++changes == number) return zero_after(i, times, values);
   return unknown_number;
-}
-
-Words with(Words words, const Words& more) {
-  words.insert(words.end(), more.begin(), more.end());
-  return words;
 }
 
 Words smoothed(Words words) { return with(std::move(words), {"particles.smoothing=1.2"}); }

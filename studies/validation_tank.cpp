@@ -7,6 +7,7 @@
 
 #include "media/recording.hpp"
 #include "studies/csv_table.hpp"
+#include "studies/settings.hpp"
 #include "studies/validation_waters.hpp"
 
 namespace sluice {
@@ -65,12 +66,7 @@ std::vector<Measure> measure(const Result& result) {
 
 std::vector<std::string> iisph(int n) { return {fmt::format("time.dt={:.17g}", 0.4 / n)}; }
 
-std::vector<std::string> iisph_for_pressure(int n) {
-  std::vector<std::string> settings = iisph(n);
-  settings.insert(settings.end(), {"pressure.iisph.stop=residual", "pressure.iisph.tolerance=1e-2",
-                                   "pressure.iisph.source_weight=0.2"});
-  return settings;
-}
+std::vector<std::string> iisph_for_pressure(int n) { return with(iisph(n), quiet_pressure); }
 
 /// The mirror wall gives energy to a state equation. More viscosity takes it, and moves nothing at rest.
 std::vector<std::string> state_equation(const char* method, int n) {

@@ -48,14 +48,15 @@ TEST(Cheapest, LeastErrorIsThatOfANumber) {
   EXPECT_TRUE(std::isnan(least_error({})));
 }
 
-/// Three particles that move by `shift`, at t = 0, 0.5 and 1.
-Result moving(const TemporaryFolder& folder, const std::string& name, Vec2 shift) {
+/// Three particles that move by `shift` from their places and `off`, at t = 0, 0.5 and 1.
+Result moving(const TemporaryFolder& folder, const std::string& name, Vec2 shift, Vec2 off = {}) {
   const Scene scene = shipped("breaking_dam", {"fluid.rect.0.max=[\"6h\",\"4h\"]"});
   const Point point{.name = name, .scene = "breaking_dam"};
   Result result{point, PointFiles(folder.path, point), {{"settings", {{"particles", {{"spacing", 8.0}}}}}}};
   std::filesystem::create_directories(folder.path / "runs");
   RecordingWriter writer(result.files.recording, scene, Precision::double_, "cpu");
   Snapshot state{{{24, 24}, {32, 24}, {40, 24}}, std::vector<Vec2>(3), {1, 1, 1}, {0, 0, 0}};
+  for (Vec2& x : state.x) x += off;
   for (uint64_t step = 0; step < 3; ++step) {
     StepReport report;
     report.step = step;
@@ -69,7 +70,7 @@ Result moving(const TemporaryFolder& folder, const std::string& name, Vec2 shift
 
 TEST(Distance, IsThatOfDisplacementsInSpacings) {
   const TemporaryFolder folder;
-  const Result still = moving(folder, "still", {0, 0}), other = moving(folder, "other", {2.4, 3.2});
+  const Result still = moving(folder, "still", {0, 0}), other = moving(folder, "other", {2.4, 3.2}, {5, 7});
   EXPECT_EQ(distance_between(still, still, 0.5), 0);
   EXPECT_NEAR(distance_between(still, other, 0.5), 0.5, 1e-12);
   EXPECT_NEAR(distance_between(other, still, 1), 1, 1e-12);
