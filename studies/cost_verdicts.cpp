@@ -166,6 +166,7 @@ void judge_tuning(const Costs& costs, Verdicts& verdicts) {
     least = std::min(least, cost.compression);
     most = std::max(most, cost.compression);
   }
+  if (most == 0) return;  // no IISPH
   verdicts.add(
       "SSPH's stiffness has to be found first, IISPH keeps its density error by itself", "so",
       fmt::format("mean compression {:.1e} to {:.1e} in all runs of IISPH, whatever dt", least, most),

@@ -98,7 +98,7 @@ std::vector<Curve> curves_of(const ParetoScene& scene) {
        with(start(scene, true, 1), {"pressure.iisph.solver=jacobi", "pressure.iisph.wall=symmetric",
                                     "pressure.iisph.warm_start=0.5", "pressure.iisph.tolerance=1e-3"}),
        halves(scene.longest, 4), "converged"});
-  curves.push_back(curves.back());
+  curves.push_back(Curve(curves.back()));
   curves.back().stem = "jacobi_4";
   curves.back().label = "IISPH, Jacobi, 1e-4";
   curves.back().overrides.back() = "pressure.iisph.tolerance=1e-4";
@@ -129,10 +129,8 @@ std::vector<Curve> converged_runs(const ParetoScene& scene) {
                                         {"converged_smooth", start(scene, true, 1.2)},
                                         {"converged_akinci", {"boundary.model=akinci"}}}) {
     if (stem == "converged_akinci" && scene.calmed != single_layer) continue;
-    Curve curve = iisph(scene, stem, "",
-                        with(overrides, {"pressure.iisph.stop=residual", "pressure.iisph.tolerance=1e-4",
-                                         "pressure.iisph.source_weight=0.2"}),
-                        1);
+    Curve curve =
+        iisph(scene, stem, "", with(with(overrides, quiet_pressure), {"pressure.iisph.tolerance=1e-4"}), 1);
     curve.family = curve.label = converged;
     curve.steps = {scene.longest / 8};
     curves.push_back(curve);
@@ -163,7 +161,7 @@ Point point_of(const ParetoScene& scene, const Curve& curve, double step, int n,
   Point point{.name = stem_of(scene, curve, step, n, machine),
               .scene = fmt::format("validation/{}", scene.name)};
   point.overrides = {fmt::format("particles.spacing={:.17g}", known.length / n)};
-  point.overrides.insert(point.overrides.end(), curve.overrides.begin(), curve.overrides.end());
+  point.overrides = with(point.overrides, curve.overrides);
   if (curve.state_equation) point.overrides = with(point.overrides, scene.calmed(n));
   point.overrides.push_back(fmt::format("time.dt={:.17g}", fitting(step, scene, n)));
   point.words = known.words;
@@ -173,7 +171,7 @@ Point point_of(const ParetoScene& scene, const Curve& curve, double step, int n,
   point.precision = machine.precision;
   point.series = known.series;
   point.recording = known.recording;
-  point.quick = n == coarse && step == curve.steps.front() && machine.name != on_gpu;
+  point.quick = n == coarse && step == curve.steps.front() && std::string(machine.backend) != "gpu";
   point.facts = {{"scene", scene.name},
                  {"family", curve.family},
                  {"curve", curve.label},

@@ -3,14 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "media/recording.hpp"
 #include "studies/pareto.hpp"
 #include "studies/pareto_scenes.hpp"
 
 namespace sluice {
-namespace {}  // namespace
 
 double distance_between(const Result& one, const Result& other, double at) {
   const auto displacement = [&](const Result& result) {
@@ -135,9 +133,8 @@ TextTable machines_table(const std::vector<Observed>& all) {
     const Point& point = result->point;
     if (point.fact("n") != std::to_string(coarse)) continue;
     table.rows.push_back({point.fact("scene"), point.fact("curve"), point.fact("dt"), point.fact("machine"),
-                          digits(errors.seconds, 3), digits(errors.mean, 3),
-                          std::isnan(errors.distance) ? "" : fmt::format("{:.3g}", errors.distance),
-                          fmt::format("{:.3g}", errors.reference)});
+                          digits(errors.seconds, 3), digits(errors.mean, 3), digits(errors.distance, 3),
+                          digits(errors.reference, 3)});
   }
   return table;
 }
@@ -169,19 +166,17 @@ std::string float_words(const std::vector<Observed>& all) {
 }  // namespace
 
 Report pareto_report(const std::vector<Result>& results) {
+  std::vector<Result> shown = results;
+  std::erase_if(shown, is_converged);
   std::vector<Observed> all;
-  std::vector<Result> shown;
-  for (const Result& result : results) {
-    if (!is_converged(result)) all.push_back({&result, errors_of(results, result)});
-  }
-  for (const Observed& observed : all) shown.push_back(*observed.result);
-  size_t next = 0;
+  for (const Result& result : shown) all.push_back({&result, errors_of(results, result)});
   Report report;
   report.tables = {{"pareto", tidy(shown,
                                    {"valid", "seconds_per_time", "compression_mean", "compression_max",
                                     "distance", "reference_error", "lost"},
                                    [&](const Result& result) -> std::vector<std::string> {
-                                     const Errors& e = all[next++].errors;
+                                     const Errors& e =
+                                         all[static_cast<size_t>(&result - shown.data())].errors;
                                      return {result.valid() ? "1" : "0",
                                              digits(e.seconds),
                                              digits(e.mean),

@@ -87,7 +87,6 @@ PointFiles::PointFiles(const std::filesystem::path& folder, const Point& point) 
   };
   summary = file("json");
   series = file("csv");
-  state = file("state.csv");
   recording = file("rec");
 }
 
@@ -99,7 +98,6 @@ std::vector<std::string> words_of(const Point& point, const std::filesystem::pat
   words.insert(words.end(), point.words.begin(), point.words.end());
   words.insert(words.end(), {"--summary", files.summary.string()});
   if (point.series) words.insert(words.end(), {"--series", files.series.string()});
-  if (point.state) words.insert(words.end(), {"--state", files.state.string()});
   if (point.recording) words.insert(words.end(), {"--record", files.recording.string()});
   return words;
 }

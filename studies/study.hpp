@@ -24,8 +24,8 @@ struct Point {
   /// Further words, such as {"--time", "5"}.
   std::vector<std::string> words = {};
   std::string backend = "cpu", precision = "double";
-  bool series = false, state = false, recording = false;  ///< files wanted beside the summary
-  bool quick = false;                                     ///< also part of `--quick`
+  bool series = false, recording = false;  ///< files wanted beside the summary
+  bool quick = false;                      ///< also part of `--quick`
   /// What the point is in the table: columns and their cells, the same columns for all points of a study.
   std::vector<std::pair<std::string, std::string>> facts = {};
 
@@ -36,7 +36,7 @@ struct Point {
 /// Files of a point in the folder of its study.
 struct PointFiles {
   PointFiles(const std::filesystem::path& folder, const Point& point);
-  std::filesystem::path summary, series, state, recording;
+  std::filesystem::path summary, series, recording;
 };
 
 /// What follows `sluice`: run SCENE --backend ... --summary FILE.

@@ -4,6 +4,7 @@
 #include <limits>
 #include <map>
 
+#include "studies/time_curve.hpp"
 #include "studies/timestep.hpp"
 
 namespace sluice {
@@ -49,16 +50,9 @@ StepLimit step_limit(const std::vector<Trial>& trials) {
 }
 
 double exponent(const std::vector<double>& x, const std::vector<double>& y) {
-  double sx = 0, sy = 0, sxx = 0, sxy = 0;
-  const auto n = static_cast<double>(x.size());
-  for (size_t i = 0; i < x.size(); ++i) {
-    const double u = std::log(x[i]), w = std::log(y[i]);
-    sx += u;
-    sy += w;
-    sxx += u * u;
-    sxy += u * w;
-  }
-  return (n * sxy - sx * sy) / (n * sxx - sx * sx);
+  TimeCurve logarithms;
+  for (size_t i = 0; i < x.size(); ++i) logarithms.add(std::log(x[i]), std::log(y[i]));
+  return slope_of(logarithms);
 }
 
 }  // namespace sluice

@@ -8,6 +8,7 @@
 #include <limits>
 #include <map>
 
+#include "studies/time_curve.hpp"
 #include "studies/timestep.hpp"
 #include "studies/verdicts.hpp"
 
@@ -91,18 +92,7 @@ Curve curve_of(const Limits& limits, const std::string& method, double Configura
   return curve;
 }
 
-/// The slope a of the line dt = a x + b, by least squares.
-double slope(const Curve& curve) {
-  double sx = 0, sy = 0, sxx = 0, sxy = 0;
-  const auto n = static_cast<double>(curve.x.size());
-  for (size_t i = 0; i < curve.x.size(); ++i) {
-    sx += curve.x[i];
-    sy += curve.dt[i];
-    sxx += curve.x[i] * curve.x[i];
-    sxy += curve.x[i] * curve.dt[i];
-  }
-  return (n * sxy - sx * sy) / (n * sxx - sx * sx);
-}
+double slope(const Curve& curve) { return slope_of({curve.x, curve.dt}); }
 
 /// Only its points from `least` on.
 Curve from(const Curve& curve, double least) {

@@ -1,7 +1,6 @@
 // Motions that every method keeps but for rounding: in a straight line, in free fall, and turning.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "studies/validation_drops.hpp"
 

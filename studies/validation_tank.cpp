@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "media/recording.hpp"
 #include "studies/csv_table.hpp"

@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "studies/csv_table.hpp"
+#include "studies/settings.hpp"
 #include "studies/validation_waters.hpp"
 
 namespace sluice {
@@ -22,33 +23,21 @@ std::vector<Measure> measure(const Result& result) {
   return {{"period", period, expected, std::abs(period / expected - 1)}, {"loss", loss, 0, std::abs(loss)}};
 }
 
-std::vector<std::string> iisph(int n) { return {fmt::format("time.dt={:.17g}", 0.4 / n)}; }
-
-std::vector<std::string> iisph_unsmoothed(int n) {
-  std::vector<std::string> settings = iisph(n);
-  settings.push_back("particles.smoothing=1");
-  return settings;
+Settings iisph_and(int n, const Settings& more) {
+  return with({fmt::format("time.dt={:.17g}", 0.4 / n)}, more);
 }
-
-std::vector<std::string> iisph_lattice(int n) {
-  std::vector<std::string> settings = iisph(n);
-  settings.insert(settings.end(), {"fluid.jitter=0", "fluid.relax=0"});
-  return settings;
-}
-
-std::vector<std::string> iisph_akinci(int n) {
-  std::vector<std::string> settings = iisph(n);
-  settings.push_back("boundary.model=akinci");
-  return settings;
-}
+Settings iisph(int n) { return iisph_and(n, {}); }
+Settings iisph_unsmoothed(int n) { return iisph_and(n, {"particles.smoothing=1"}); }
+Settings iisph_lattice(int n) { return iisph_and(n, {"fluid.jitter=0", "fluid.relax=0"}); }
+Settings iisph_akinci(int n) { return iisph_and(n, {"boundary.model=akinci"}); }
 
 /// A state equation is not at peace with the mirror wall unless viscosity takes what the wall gives.
-std::vector<std::string> state_equation(const char* method, int n) {
+Settings state_equation(const char* method, int n) {
   return {fmt::format("pressure.method={}", method), "boundary.model=akinci",
           fmt::format("pressure.{}.dt={:.17g}", method, 0.06 / n)};
 }
-std::vector<std::string> ssph(int n) { return state_equation("ssph", n); }
-std::vector<std::string> wcsph(int n) { return state_equation("wcsph", n); }
+Settings ssph(int n) { return state_equation("ssph", n); }
+Settings wcsph(int n) { return state_equation("wcsph", n); }
 
 }  // namespace
 

@@ -78,6 +78,11 @@ TEST(CostVerdicts, EveryClaimCanFail) {
             (Claims{"dam: SSPH at dt = 0.011"}));
 }
 
+TEST(CostVerdicts, NothingIsConcludedFromNothing) {
+  EXPECT_TRUE(cost_verdicts({}, {}).rows.empty());
+  EXPECT_TRUE(cost_verdicts({{"breaking_dam", "SSPH", "0.01", 0, 0.1, 1, 9e-4}}, {}).rows.empty());
+}
+
 /// A run of the point that took so long, a part of it in two stages.
 Result run_of(const std::string& name, double total, double acceleration, double state_equation) {
   const std::vector<Point> points = cost_points();

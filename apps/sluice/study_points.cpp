@@ -54,8 +54,7 @@ int run_point(const Point& point, const fs::path& folder) {
 /// A result of an earlier run must not be taken for one of this.
 void remove_files(const PointFiles& files) {
   std::error_code error;
-  for (const fs::path& path : {files.summary, files.series, files.state, files.recording})
-    fs::remove(path, error);
+  for (const fs::path& path : {files.summary, files.series, files.recording}) fs::remove(path, error);
 }
 
 /// Whether all points ran; those that became invalid did.
