@@ -112,6 +112,11 @@ TEST(TimestepStudy, FindsTheLimitsThatThereAre) {
   }
 }
 
+TEST(TimestepStudy, AGridThatEndsTooSoonIsAFault) {
+  EXPECT_EQ(report_of({.ssph_at_10 = 1}).faults.size(), 22u);      // all of SSPH pass everywhere
+  EXPECT_EQ(report_of({.ssph_at_10 = 0.001}).faults.size(), 22u);  // and nowhere
+}
+
 TEST(TimestepStudy, EveryVerdictCanFail) {
   EXPECT_EQ(refuted(report_of({.power_of_h = 0.6})),
             (Claims{"Fig. 6.6: IISPH's largest dt is about linear in h"}));

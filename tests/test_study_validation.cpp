@@ -100,6 +100,13 @@ TEST(ValidationPage, SaysHowMuchErrorsChange) {
       << validation_page(curves, faults);
 }
 
+TEST(ValidationPage, OfRunsAt20AloneTheBestIsShown) {
+  std::vector<std::string> faults;
+  const ErrorCurves curves{{{"oscillating_drop", "period", "A", "double"}, {{{20, 0.02}}}},
+                           {{"oscillating_drop", "period", "B", "double"}, {{{20, 0.01}}}}};
+  EXPECT_TRUE(has(validation_page(curves, faults), "| period | B | 1 % |  |  |  | 0.3 % | not run |"));
+}
+
 TEST(ValidationPage, NamesWhatWasNotRun) {
   std::vector<std::string> faults;
   EXPECT_TRUE(
