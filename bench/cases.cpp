@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "core/scene_file.hpp"
+#include "core/scene/load.hpp"
 #include "core/text.hpp"
 #include "cpu/backend.hpp"
 #include "gpu/backend.hpp"

@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "core/params.hpp"
-#include "core/sampling.hpp"
-#include "core/simulator.hpp"
+#include "core/model/params.hpp"
+#include "core/scene/sampling.hpp"
+#include "core/solver/simulator.hpp"
 
 namespace sluice::gpu {
 class Context;

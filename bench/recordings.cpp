@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "core/scene_file.hpp"
-#include "core/simulator.hpp"
+#include "core/scene/load.hpp"
+#include "core/solver/simulator.hpp"
 #include "cpu/backend.hpp"
+#include "draw/painter.hpp"
 #include "gpu/context.hpp"
-#include "gpu/painter.hpp"
 #include "media/recording.hpp"
 
 namespace sluice::bench {
@@ -29,12 +29,12 @@ struct Recorded {
   std::filesystem::path path = temporary("sluice_recording_bench.rec");
   Scene scene = load_scene("breaking_dam", finer);
   Samples samples = sample(scene);
-  Moment last;
+  media::Moment last;
 
   Recorded() {
     const auto backend = cpu::make_backend(Precision::single_, cpu::hardware_threads());
     Simulator simulator(scene, samples, *backend);
-    RecordingWriter writer(path, scene, Precision::single_, "bench");
+    media::RecordingWriter writer(path, scene, Precision::single_, "bench");
     for (uint64_t k = 0; k < steps; ++k) {
       last.report = simulator.step();
       last.state = simulator.snapshot();
@@ -59,16 +59,16 @@ std::vector<size_t> jumps(size_t frames) {
 
 void open_recording(benchmark::State& state) {
   const auto path = recorded().path;
-  for (auto _ : state) benchmark::DoNotOptimize(Recording(path).frames());
+  for (auto _ : state) benchmark::DoNotOptimize(media::Recording(path).frames());
   state.SetBytesProcessed(state.iterations() * static_cast<int64_t>(std::filesystem::file_size(path)));
 }
 BENCHMARK(open_recording)->Unit(benchmark::kMillisecond);
 
 void write_frame(benchmark::State& state) {
-  Moment moment = recorded().last;
+  media::Moment moment = recorded().last;
   const auto path = temporary("sluice_recording_bench_written.rec");
   {
-    RecordingWriter writer(path, recorded().scene, Precision::single_, "bench");
+    media::RecordingWriter writer(path, recorded().scene, Precision::single_, "bench");
     for (auto _ : state) {
       ++moment.report.step;
       writer.add(moment.report, 0, moment.state);
@@ -79,7 +79,7 @@ void write_frame(benchmark::State& state) {
 BENCHMARK(write_frame)->Unit(benchmark::kMillisecond);
 
 void read_any_frame(benchmark::State& state) {
-  const Recording recording(recorded().path);
+  const media::Recording recording(recorded().path);
   const std::vector<size_t> order = jumps(recording.frames());
   size_t k = 0;
   for (auto _ : state) benchmark::DoNotOptimize(recording.moment(order[k++ % order.size()]));
@@ -87,14 +87,14 @@ void read_any_frame(benchmark::State& state) {
 BENCHMARK(read_any_frame)->Unit(benchmark::kMillisecond);
 
 void read_and_draw_any_frame(benchmark::State& state) {
-  const Recording recording(recorded().path);
+  const media::Recording recording(recorded().path);
   const gpu::Context context;
-  gpu::Painter painter(context, recording.scene(), recording.samples(), recording.scene().image_size);
+  draw::Painter painter(context, recording.scene(), recording.samples(), recording.scene().image_size);
   const std::vector<size_t> order = jumps(recording.frames());
   size_t k = 0;
   for (auto _ : state) {
-    const Moment moment = recording.moment(order[k++ % order.size()]);
-    painter.paint(Frame(), moment.report.dt, moment.state);
+    const media::Moment moment = recording.moment(order[k++ % order.size()]);
+    painter.paint(draw::Frame(), moment.report.dt, moment.state);
     benchmark::DoNotOptimize(painter.renderer().read());
   }
 }

@@ -9,7 +9,7 @@
 
 #include "bench/cases.hpp"
 #include "bench/tables.hpp"
-#include "core/memory.hpp"
+#include "core/solver/memory.hpp"
 #include "core/text.hpp"
 #include "cpu/backend.hpp"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "bench/yardstick_parts.hpp"
-#include "core/sampling.hpp"
+#include "core/scene/sampling.hpp"
 
 namespace sluice::bench {
 

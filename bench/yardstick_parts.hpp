@@ -9,8 +9,8 @@
 #include <numbers>
 #include <vector>
 
-#include "core/backend.hpp"
-#include "core/params.hpp"
+#include "core/model/params.hpp"
+#include "core/solver/backend.hpp"
 
 namespace sluice::bench {
 

@@ -2,7 +2,7 @@
 # The bytes are taken in by the assembler (.incbin); gpu/embedded.hpp finds them by name: that below shaders/, or the
 # file's own.
 function(embed_files out)
-  set(source ${CMAKE_BINARY_DIR}/generated/embedded_files.cpp)
+  set(source ${PROJECT_BINARY_DIR}/generated/embedded_files.cpp)
   set(blobs "")
   set(rows "")
   set(names "")
@@ -10,7 +10,7 @@ function(embed_files out)
   foreach(file IN LISTS ARGN)
     get_filename_component(path ${file} ABSOLUTE)
     get_filename_component(name ${file} NAME)
-    if(path MATCHES "^${CMAKE_SOURCE_DIR}/shaders/(.*)$")
+    if(path MATCHES "^${PROJECT_SOURCE_DIR}/shaders/(.*)$")
       set(name ${CMAKE_MATCH_1})
     endif()
     string(APPEND blobs "asm(\".section .rodata\\n\"\n"

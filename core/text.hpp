@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
-#include "core/backend.hpp"
-#include "core/scene.hpp"
+#include "core/scene/scene.hpp"
+#include "core/solver/backend.hpp"
 
 namespace sluice {
 

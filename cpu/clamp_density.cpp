@@ -1,6 +1,6 @@
 // WCSPH: rho := max(rho, rho0). Where particles are missing, at a free surface, the sum over neighbours falls
 // short of rho0, and pressure would pull [WCSPH page]. All later stages and all output use the clamped value.
-#include "core/larger.hpp"
+#include "core/model/larger.hpp"
 #include "cpu/stages.hpp"
 
 namespace sluice::cpu::SLUICE_SET {

@@ -20,8 +20,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/larger.hpp"
-#include "core/solver.hpp"
+#include "core/model/choices.hpp"
+#include "core/model/larger.hpp"
 #include "cpu/state.hpp"
 
 #ifdef __SSE2__

@@ -2,7 +2,7 @@
 // and compiled for every set of instructions.
 #pragma once
 
-#include "core/stages.hpp"
+#include "core/model/stages.hpp"
 #include "cpu/loops.hpp"
 
 namespace sluice::cpu::SLUICE_SET {

@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/fields.hpp"
-#include "core/params.hpp"
-#include "core/stages.hpp"
+#include "core/model/fields.hpp"
+#include "core/model/params.hpp"
+#include "core/model/stages.hpp"
 
 namespace sluice::cpu {
 

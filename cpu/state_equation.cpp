@@ -1,6 +1,6 @@
 // SSPH: pressure from a state equation [Hunkler 2022, eq. 5.5], written so that no digits cancel:
 //   p = max(k (rho - rho0)/rho0, 0),   q = p/rho^2
-#include "core/larger.hpp"
+#include "core/model/larger.hpp"
 #include "cpu/stages.hpp"
 
 namespace sluice::cpu::SLUICE_SET {

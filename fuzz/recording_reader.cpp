@@ -31,12 +31,12 @@ namespace {
 using namespace sluice;
 
 void seal(std::string& bytes) {
-  using recording::Tail;
+  using sluice::media::Tail;
   if (bytes.size() < sizeof(Tail)) return;
   const size_t end = bytes.size() - sizeof(Tail);
   auto tail = read_from<Tail>(bytes, end);
   bytes.resize(end);
-  bytes += bytes_of(end - tail.frames * sizeof(recording::IndexEntry));
+  bytes += bytes_of(end - tail.frames * sizeof(sluice::media::IndexEntry));
   bytes += bytes_of(tail.frames);
   bytes += bytes_of(XXH3_64bits(bytes.data(), bytes.size()));
   bytes += bytes_of(Tail().end);
@@ -45,7 +45,7 @@ void seal(std::string& bytes) {
 /// The claim that the file breaks, or nothing.
 std::string broken_by(const std::filesystem::path& path) {
   try {
-    const Recording recording(path);
+    const media::Recording recording(path);
     for (size_t frame = 0; frame < recording.frames(); ++frame) recording.moment(frame);
     return test::not_finite(recording.scene());
   } catch (const InputError& error) {

@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "core/backend.hpp"
+#include "core/solver/backend.hpp"
 #include "gpu/gl_object.hpp"
 
 namespace sluice::gpu {

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <iterator>
 
-#include "core/solver.hpp"
+#include "core/model/choices.hpp"
 
 namespace sluice::gpu {
 namespace {

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/params.hpp"
-#include "core/stages.hpp"
+#include "core/model/params.hpp"
+#include "core/model/stages.hpp"
 
 namespace sluice::gpu {
 

@@ -106,7 +106,7 @@ ShaderLibrary::ShaderLibrary(std::optional<std::filesystem::path> folder) : fold
                                  folder_->string()));
   }
   bool any = false;
-  for (const char* part : {"", "lib"}) {
+  for (const char* part : {"", "lib", "draw"}) {
     for (const auto& entry : std::filesystem::directory_iterator(*folder_ / part, error)) {
       const std::string name = entry.path().lexically_relative(*folder_).string();
       any = any || is_known(name);

@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "core/params.hpp"
-#include "core/stages.hpp"
+#include "core/model/params.hpp"
+#include "core/model/stages.hpp"
 #include "gpu/compute_program.hpp"
 #include "gpu/prelude.hpp"
 

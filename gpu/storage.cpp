@@ -27,7 +27,7 @@ constexpr uint64_t largest_buffer = 0xfffffff0;
 bool reaches_the_end(const Context& context, const Buffer& buffer, uint64_t bytes) {
   constexpr uint32_t mark = 0x5eed;
   const uint64_t last = bytes / sizeof(mark) - 1;
-  ComputeProgram probe(context, context.shaders().load("probe_storage.comp"));
+  ComputeProgram probe(context, context.shaders().load("lib/probe_storage.comp"));
   probe.set("last", static_cast<uint32_t>(last));
   probe.set("mark", mark);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, buffer.name());

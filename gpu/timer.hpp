@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "core/stages.hpp"
+#include "core/model/stages.hpp"
 
 namespace sluice::gpu {
 

@@ -1,19 +1,14 @@
-// Takes the place of recording.cpp, recording_writer.cpp, checkpoint.cpp and checked_file.cpp in builds
-// without recordings.
-#include <fmt/format.h>
-
+// Takes the place of recording.cpp and recording_writer.cpp in builds without recordings.
 #include "core/error.hpp"
-#include "media/checkpoint.hpp"
 #include "media/recording.hpp"
 
-namespace sluice {
+namespace sluice::media {
 namespace {
 
-[[noreturn]] void refuse(const char* what = "recordings") {
+[[noreturn]] void refuse() {
   throw EnvironmentError(
-      fmt::format("this program was built without {}; install libzstd-dev and libxxhash-dev and build it "
-                  "again with -DSLUICE_RECORDINGS=ON",
-                  what));
+      "this program was built without recordings; install libzstd-dev and libxxhash-dev and build it again "
+      "with -DSLUICE_RECORDINGS=ON");
 }
 
 }  // namespace
@@ -39,15 +34,4 @@ Precision Recording::precision() const { refuse(); }
 size_t Recording::frames() const { return 0; }
 Moment Recording::moment(size_t) const { return {}; }
 
-struct CheckpointWriter::State {};
-
-CheckpointWriter::CheckpointWriter(std::filesystem::path, const Scene&, Precision, const std::string&) {
-  refuse("checkpoints");
-}
-CheckpointWriter::~CheckpointWriter() = default;
-CheckpointWriter::CheckpointWriter(CheckpointWriter&&) noexcept = default;
-void CheckpointWriter::write(const SimulationState&, const RunCounts&) {}
-
-Checkpoint read_checkpoint(const std::filesystem::path&) { refuse("checkpoints"); }
-
-}  // namespace sluice
+}  // namespace sluice::media

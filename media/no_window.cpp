@@ -2,7 +2,7 @@
 #include "core/error.hpp"
 #include "media/window.hpp"
 
-namespace sluice {
+namespace sluice::media {
 
 struct Window::State {};
 
@@ -20,4 +20,4 @@ std::vector<WindowEvent> Window::events(double) { return {}; }
 bool Window::closed() const { return true; }
 void Window::present() {}
 
-}  // namespace sluice
+}  // namespace sluice::media

@@ -8,16 +8,15 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.hpp"
-#include "core/memory.hpp"
-#include "core/scene_file.hpp"
+#include "core/scene/load.hpp"
+#include "core/solver/memory.hpp"
+#include "core/solver/verdict.hpp"
 #include "core/text.hpp"
-#include "core/verdict.hpp"
 #include "media/recording_format.hpp"
 
-namespace sluice {
+namespace sluice::media {
 namespace {
 
-using namespace recording;
 constexpr size_t tail_size = sizeof(Tail);
 
 /// The tail, once it is sure that every byte before it is as it was written.
@@ -86,7 +85,7 @@ void read_particles(std::string_view bytes, Snapshot& state, Vec2 corner) {
 }  // namespace
 
 struct Recording::State {
-  explicit State(const std::filesystem::path& path) : source(path, kind) {}
+  explicit State(const std::filesystem::path& path) : source(path, recording_file_kind) {}
   mutable CheckedFile source;
   Scene scene;
   Samples samples;
@@ -158,4 +157,4 @@ Moment Recording::moment(size_t frame) const {
   return moment;
 }
 
-}  // namespace sluice
+}  // namespace sluice::media

@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "core/backend.hpp"
-#include "core/output_file.hpp"
-#include "core/report.hpp"
-#include "core/sampling.hpp"
+#include "core/output/output_file.hpp"
+#include "core/scene/sampling.hpp"
+#include "core/solver/backend.hpp"
+#include "core/solver/report.hpp"
 
-namespace sluice {
+namespace sluice::media {
 
 /// A moment of a run: all that a picture or a file of it shows. Step 0 is the start.
 struct Moment {
@@ -76,4 +76,4 @@ bool is_recording(const std::filesystem::path& path);
 /// InputError when it does: for where a scene is wanted.
 void refuse_recording(const std::filesystem::path& path);
 
-}  // namespace sluice
+}  // namespace sluice::media

@@ -4,13 +4,13 @@
 #include <array>
 #include <cstdint>
 
-#include "media/checked_file.hpp"
+#include "core/output/checked_file.hpp"
 
-namespace sluice::recording {
+namespace sluice::media {
 
-inline constexpr std::string_view magic = "sluice recording";
-inline constexpr FileKind kind{magic, 2, "recording", "`sluice run --record`",
-                               "copy it again or record the run once more"};
+inline constexpr std::string_view recording_magic = "sluice recording";
+inline constexpr FileKind recording_file_kind{recording_magic, 2, "recording", "`sluice run --record`",
+                                              "copy it again or record the run once more"};
 
 /// Where a frame is and what it shows.
 struct IndexEntry {
@@ -43,4 +43,4 @@ struct FrameFacts {
 /// An array of each: x and y from the lower left corner of the domain, vx, vy, density, pressure.
 inline constexpr size_t values_per_particle = 6;
 
-}  // namespace sluice::recording
+}  // namespace sluice::media

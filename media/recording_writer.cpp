@@ -3,15 +3,13 @@
 #include <zstd.h>
 
 #include "core/error.hpp"
-#include "core/summary.hpp"
+#include "core/output/summary.hpp"
 #include "core/text.hpp"
 #include "media/recording.hpp"
 #include "media/recording_format.hpp"
 
-namespace sluice {
+namespace sluice::media {
 namespace {
-
-using namespace recording;
 
 constexpr int compression_level = 3;
 
@@ -87,7 +85,7 @@ RecordingWriter::RecordingWriter(const std::filesystem::path& path, const Scene&
     throw EnvironmentError(fmt::format("{}: no memory to write a recording", path.string()));
   ZSTD_CCtx_setParameter(state_->packer.get(), ZSTD_c_compressionLevel, compression_level);
   ZSTD_CCtx_setParameter(state_->packer.get(), ZSTD_c_checksumFlag, 1);
-  write(preamble(kind, run_header(scene, precision, device)));
+  write(preamble(recording_file_kind, run_header(scene, precision, device)));
 }
 
 RecordingWriter::~RecordingWriter() = default;
@@ -138,4 +136,4 @@ void RecordingWriter::commit() {
   state.file.commit();
 }
 
-}  // namespace sluice
+}  // namespace sluice::media

@@ -19,7 +19,7 @@
 
 #include "core/error.hpp"
 
-namespace sluice {
+namespace sluice::media {
 namespace {
 
 namespace fs = std::filesystem;
@@ -137,7 +137,7 @@ void VideoFile::start(double pictures_per_second) {
   throw EnvironmentError(start_failure(path_, reason));
 }
 
-void VideoFile::write(const Image& image) {
+void VideoFile::write(const draw::Image& image) {
   if (!failure_.empty()) throw EnvironmentError(failure_);
   if (!file_) throw Error(fmt::format("{}: written to after it was finished", path_.string()));
   if (image.width != size_.x || image.height != size_.y || image.rgb.size() != size_t{3} * size_.x * size_.y)
@@ -194,4 +194,4 @@ std::string VideoFile::what_ffmpeg_said() const {
   return text.empty() ? "it said nothing" : text;
 }
 
-}  // namespace sluice
+}  // namespace sluice::media

@@ -9,10 +9,10 @@
 #include <optional>
 #include <string>
 
-#include "core/image.hpp"
-#include "core/output_file.hpp"
+#include "core/output/output_file.hpp"
+#include "draw/image.hpp"
 
-namespace sluice {
+namespace sluice::media {
 
 /// A video being written. Like every output it has its name only once it is whole: after finish().
 class VideoFile {
@@ -27,7 +27,7 @@ class VideoFile {
 
   /// One frame, of the size given at the start; waits while ffmpeg is busy. EnvironmentError with what ffmpeg
   /// said when it has given up; every later call says so again.
-  void write(const Image& image);
+  void write(const draw::Image& image);
 
   /// Waits for ffmpeg and gives the file its name; a second call does nothing. Without a picture there is no
   /// file. EnvironmentError as in write(). Nothing may be written afterwards.
@@ -51,4 +51,4 @@ class VideoFile {
   std::string failure_;
 };
 
-}  // namespace sluice
+}  // namespace sluice::media

@@ -19,9 +19,9 @@
 #include <utility>
 
 #include "core/error.hpp"
-#include "core/output_file.hpp"
+#include "core/output/output_file.hpp"
 
-namespace sluice {
+namespace sluice::media {
 namespace {
 
 constexpr std::string_view byte_order =
@@ -209,4 +209,4 @@ uint64_t VtkSeries::older_files() const {
   return older;
 }
 
-}  // namespace sluice
+}  // namespace sluice::media

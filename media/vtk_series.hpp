@@ -7,10 +7,10 @@
 #include <utility>
 #include <vector>
 
-#include "core/backend.hpp"
-#include "core/report.hpp"
+#include "core/solver/backend.hpp"
+#include "core/solver/report.hpp"
 
-namespace sluice {
+namespace sluice::media {
 
 /// A folder with fluid_000000.vtp, fluid_000001.vtp, ..., boundary.vtp and fluid.pvd, which names them all.
 /// Points lie in the plane z = 0; the units are the scene's own. A failed write is an EnvironmentError.
@@ -43,4 +43,4 @@ class VtkSeries {
   std::vector<double> times_;
 };
 
-}  // namespace sluice
+}  // namespace sluice::media

@@ -12,7 +12,7 @@
 
 #include "core/error.hpp"
 
-namespace sluice {
+namespace sluice::media {
 namespace {
 
 #define SLUICE_GLFW(FUNCTION)            \
@@ -260,4 +260,4 @@ bool Window::closed() const { return glfw().glfwWindowShouldClose(state_->window
 
 void Window::present() { glfw().glfwSwapBuffers(state_->window); }
 
-}  // namespace sluice
+}  // namespace sluice::media

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace sluice {
+namespace sluice::media {
 
 /// Keys that write no character.
 enum class Key { none, left, right, up, down, home, end, enter, escape };
@@ -51,4 +51,4 @@ class Window {
   std::unique_ptr<State> state_;
 };
 
-}  // namespace sluice
+}  // namespace sluice::media

@@ -7,7 +7,7 @@
 #include "media/recording.hpp"
 #include "studies/study.hpp"
 
-namespace sluice {
+namespace sluice::study {
 namespace {
 
 constexpr size_t points = 4;
@@ -52,10 +52,10 @@ Blob blob_of(double time, const Snapshot& state) {
 }
 
 std::vector<Blob> blobs_of(const std::filesystem::path& path) {
-  const Recording recording(path);
+  const media::Recording recording(path);
   std::vector<Blob> blobs;
   for (size_t frame = 0; frame < recording.frames(); ++frame) {
-    const Moment moment = recording.moment(frame);
+    const media::Moment moment = recording.moment(frame);
     if (blobs.empty() || moment.report.time > blobs.back().time)
       blobs.push_back(blob_of(moment.report.time, moment.state));
   }
@@ -78,4 +78,4 @@ double zero_after(size_t i, const std::vector<double>& times, const std::vector<
   return (low + high) / 2;
 }
 
-}  // namespace sluice
+}  // namespace sluice::study

@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <vector>
 
-#include "core/report.hpp"
+#include "core/solver/report.hpp"
 
-namespace sluice {
+namespace sluice::study {
 
 /// Means over the particles, which all have the same mass; speeds and energies in the units of the scene, per
 /// unit of mass.
@@ -32,4 +32,4 @@ std::vector<Blob> blobs_of(const std::filesystem::path& recording);
 double value_at(double time, const std::vector<double>& times, const std::vector<double>& values);
 double zero_after(size_t i, const std::vector<double>& times, const std::vector<double>& values);
 
-}  // namespace sluice
+}  // namespace sluice::study

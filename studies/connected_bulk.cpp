@@ -6,7 +6,7 @@
 
 #include "studies/validation_waters.hpp"
 
-namespace sluice {
+namespace sluice::study {
 namespace {
 
 /// Sets that are merged; each is named after one of its members.
@@ -62,4 +62,4 @@ std::vector<Vec2> connected_bulk(const std::vector<Vec2>& x, double reach) {
   return bulk;
 }
 
-}  // namespace sluice
+}  // namespace sluice::study

@@ -8,7 +8,7 @@
 
 #include "studies/settings.hpp"
 
-namespace sluice {
+namespace sluice::study {
 namespace {
 
 constexpr int repeats = 3;
@@ -209,4 +209,4 @@ Report cost_report(const std::vector<Result>& results) {
   return report;
 }
 
-}  // namespace sluice
+}  // namespace sluice::study

@@ -6,7 +6,7 @@
 
 #include "studies/study.hpp"
 
-namespace sluice {
+namespace sluice::study {
 
 std::vector<Point> cost_points();
 Report cost_report(const std::vector<Result>& results);
@@ -37,4 +37,4 @@ struct Starts {
 /// The table of what the thesis concludes.
 TextTable cost_verdicts(const std::vector<Cost>& costs, const std::vector<Starts>& starts);
 
-}  // namespace sluice
+}  // namespace sluice::study

@@ -10,7 +10,7 @@
 #include "studies/cost.hpp"
 #include "studies/verdicts.hpp"
 
-namespace sluice {
+namespace sluice::study {
 namespace {
 
 using Costs = std::vector<Cost>;
@@ -205,4 +205,4 @@ TextTable cost_verdicts(const Costs& costs, const std::vector<Starts>& starts) {
   return verdicts.table();
 }
 
-}  // namespace sluice
+}  // namespace sluice::study

@@ -10,7 +10,7 @@
 
 #include "core/error.hpp"
 
-namespace sluice {
+namespace sluice::study {
 namespace {
 
 /// A quote in quotes is written twice, so that of each pair the second begins the text again.
@@ -94,4 +94,4 @@ CsvTable read_csv(const std::filesystem::path& path) {
   return table;
 }
 
-}  // namespace sluice
+}  // namespace sluice::study

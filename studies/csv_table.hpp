@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace sluice {
+namespace sluice::study {
 
 /// The cells as they are written. Lines that begin with # are left out.
 struct CsvTable {
@@ -28,4 +28,4 @@ struct CsvTable {
 /// last line is not ended. Cells may be quoted, but hold no line ends.
 CsvTable read_csv(const std::filesystem::path& path);
 
-}  // namespace sluice
+}  // namespace sluice::study

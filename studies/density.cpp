@@ -10,7 +10,7 @@
 #include "studies/settings.hpp"
 #include "studies/verdicts.hpp"
 
-namespace sluice {
+namespace sluice::study {
 namespace {
 
 constexpr double window = 20, duration = 100;
@@ -134,4 +134,4 @@ Report density_report(const std::vector<Result>& results) {
   return report;
 }
 
-}  // namespace sluice
+}  // namespace sluice::study

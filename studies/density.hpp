@@ -5,9 +5,9 @@
 
 #include "studies/study.hpp"
 
-namespace sluice {
+namespace sluice::study {
 
 std::vector<Point> density_points();
 Report density_report(const std::vector<Result>& results);
 
-}  // namespace sluice
+}  // namespace sluice::study

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-namespace sluice {
+namespace sluice::study {
 
 std::string_view name_of(Outcome outcome) {
   switch (outcome) {
@@ -64,4 +64,4 @@ std::vector<HardCase> hard_cases() {
   return cases.take();
 }
 
-}  // namespace sluice
+}  // namespace sluice::study

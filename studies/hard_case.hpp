@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "core/sampling.hpp"
-#include "core/scene.hpp"
+#include "core/scene/sampling.hpp"
+#include "core/scene/scene.hpp"
 #include "studies/hard_scenes.hpp"
 
-namespace sluice {
+namespace sluice::study {
 
 /// A run is valid to its end (exit code 0), becomes invalid (1), or its scene is refused (2).
 enum class Outcome { survived, stopped, refused };
@@ -82,4 +82,4 @@ void add_impacts(HardCases& cases);         ///< floors, jets on thin walls, flu
 void add_places(HardCases& cases);          ///< walls and grid out of line, far away, strays, cell edges
 void add_numbers(HardCases& cases);         ///< NaN and numbers of any size
 
-}  // namespace sluice
+}  // namespace sluice::study

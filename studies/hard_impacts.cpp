@@ -1,7 +1,7 @@
 // Impacts: a block on the floor, a jet on thin walls, a fluid that is slower than its own sound.
 #include "studies/hard_case.hpp"
 
-namespace sluice {
+namespace sluice::study {
 namespace {
 
 constexpr double impact_step = 0.04;
@@ -84,4 +84,4 @@ void add_impacts(HardCases& cases) {
   add_soft(cases, 100);
 }
 
-}  // namespace sluice
+}  // namespace sluice::study

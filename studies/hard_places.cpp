@@ -1,9 +1,9 @@
 // Places and numbers: walls out of line with the grid, scenes far away, strays, particles on the edges of
 // cells, NaN.
-#include "core/params.hpp"
+#include "core/model/params.hpp"
 #include "studies/hard_case.hpp"
 
-namespace sluice {
+namespace sluice::study {
 namespace {
 
 void add_lengths(HardCases& cases) {
@@ -118,4 +118,4 @@ void add_numbers(HardCases& cases) {
   }
 }
 
-}  // namespace sluice
+}  // namespace sluice::study

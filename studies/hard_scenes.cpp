@@ -1,7 +1,7 @@
 // The text of scene files, part by part.
 #include "studies/hard_scenes.hpp"
 
-namespace sluice {
+namespace sluice::study {
 namespace {
 
 std::string text_of(Vec2 a) { return fmt::format("[{}, {}]", a.x, a.y); }
@@ -92,4 +92,4 @@ SceneParts dam(const std::string& title, const Method& method, double length, Ve
   return dam;
 }
 
-}  // namespace sluice
+}  // namespace sluice::study

@@ -6,9 +6,9 @@
 
 #include <string>
 
-#include "core/scene.hpp"
+#include "core/scene/scene.hpp"
 
-namespace sluice {
+namespace sluice::study {
 
 /// A method with its settings: what a table calls it, the end of a case's name, and the [pressure] tables.
 struct Method {
@@ -59,4 +59,4 @@ SceneParts full_tank(const std::string& title, uint32_t columns, uint32_t rows, 
 /// The breaking dam of the thesis, 22 by 30 particles, in a tank so long.
 SceneParts dam(const std::string& title, const Method& method, double length = 400, Vec2 origin = {});
 
-}  // namespace sluice
+}  // namespace sluice::study

@@ -4,7 +4,7 @@
 
 #include "studies/hard_case.hpp"
 
-namespace sluice {
+namespace sluice::study {
 namespace {
 
 bool is_implicit(const Method& method) { return method.label.starts_with("IISPH"); }
@@ -186,4 +186,4 @@ void add_crowded_starts(HardCases& cases) {
   add_heap(cases, 1000);
 }
 
-}  // namespace sluice
+}  // namespace sluice::study

@@ -2,7 +2,7 @@
 // adapt.
 #include "studies/hard_case.hpp"
 
-namespace sluice {
+namespace sluice::study {
 namespace {
 
 /// The time step with which a particle of breaking_dam moves about a spacing per step at its fastest.
@@ -86,4 +86,4 @@ void add_time_steps(HardCases& cases) {
   add_collapse(cases);
 }
 
-}  // namespace sluice
+}  // namespace sluice::study

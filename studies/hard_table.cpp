@@ -8,7 +8,7 @@
 
 #include "studies/table.hpp"
 
-namespace sluice {
+namespace sluice::study {
 namespace {
 
 constexpr const char* as_expected = "as expected";
@@ -118,4 +118,4 @@ uint64_t digest(const Snapshot& state) {
   return hash;
 }
 
-}  // namespace sluice
+}  // namespace sluice::study

@@ -6,7 +6,7 @@
 
 #include "studies/run_case.hpp"
 
-namespace sluice {
+namespace sluice::study {
 
 /// The columns of the CSV file, and those of the page for people.
 const std::vector<std::string>& hard_columns();
@@ -23,4 +23,4 @@ bool is_as_expected(const std::vector<std::string>& row);
 /// A number for the bits of a state.
 uint64_t digest(const Snapshot& state);
 
-}  // namespace sluice
+}  // namespace sluice::study

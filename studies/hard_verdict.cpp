@@ -3,10 +3,10 @@
 
 #include <cmath>
 
-#include "core/verdict.hpp"
+#include "core/solver/verdict.hpp"
 #include "studies/run_case.hpp"
 
-namespace sluice {
+namespace sluice::study {
 namespace {
 
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
@@ -73,4 +73,4 @@ std::vector<std::string> faults(const HardCase& hard, const CaseResult& result) 
   return faults.found;
 }
 
-}  // namespace sluice
+}  // namespace sluice::study

@@ -3,7 +3,7 @@
 
 #include "studies/hard_case.hpp"
 
-namespace sluice {
+namespace sluice::study {
 namespace {
 
 /// lambda h / sqrt(g depth)
@@ -77,4 +77,4 @@ void add_deep_water(HardCases& cases) {
   add_tanks(cases);
 }
 
-}  // namespace sluice
+}  // namespace sluice::study

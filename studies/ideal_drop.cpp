@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sluice {
+namespace sluice::study {
 namespace {
 
 using State = IdealDrop::State;
@@ -64,4 +64,4 @@ double IdealDrop::period() const {
   return time + low;
 }
 
-}  // namespace sluice
+}  // namespace sluice::study

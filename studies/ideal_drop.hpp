@@ -1,7 +1,7 @@
 // The exact motion of an elliptic drop of an ideal incompressible fluid without surface tension.
 #pragma once
 
-namespace sluice {
+namespace sluice::study {
 
 /// The drop is a disc at t = 0, moves with the velocity s (x, -y), and is drawn to its centre by -Omega² x.
 /// It stays an ellipse x²/A² + y²/B² = 1 of the same area [Monaghan & Rafiee 2013]:
@@ -23,4 +23,4 @@ struct IdealDrop {
   double period() const;
 };
 
-}  // namespace sluice
+}  // namespace sluice::study

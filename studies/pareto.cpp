@@ -9,7 +9,7 @@
 #include "studies/pareto_scenes.hpp"
 #include "studies/settings.hpp"
 
-namespace sluice {
+namespace sluice::study {
 
 namespace {
 
@@ -206,4 +206,4 @@ std::vector<Point> pareto_points() {
   return points;
 }
 
-}  // namespace sluice
+}  // namespace sluice::study

@@ -7,7 +7,7 @@
 
 #include "studies/study.hpp"
 
-namespace sluice {
+namespace sluice::study {
 
 std::vector<Point> pareto_points();
 Report pareto_report(const std::vector<Result>& results);
@@ -43,4 +43,4 @@ double least_error(const std::vector<Trade>& trades);
 /// spacings; NaN when one of them has no frame of that time.
 double distance_between(const Result& one, const Result& other, double at);
 
-}  // namespace sluice
+}  // namespace sluice::study

@@ -7,7 +7,7 @@
 
 #include "studies/pareto.hpp"
 
-namespace sluice {
+namespace sluice::study {
 
 double least_error(const std::vector<Trade>& trades) {
   double least = unknown_number;
@@ -65,4 +65,4 @@ std::string words_for(const Cheapest& cheapest) {
   return words;
 }
 
-}  // namespace sluice
+}  // namespace sluice::study

@@ -8,14 +8,14 @@
 #include "studies/pareto.hpp"
 #include "studies/pareto_scenes.hpp"
 
-namespace sluice {
+namespace sluice::study {
 
 double distance_between(const Result& one, const Result& other, double at) {
   const auto displacement = [&](const Result& result) {
-    const Recording recording(result.files.recording);
-    const Moment start = recording.moment(0);
+    const media::Recording recording(result.files.recording);
+    const media::Moment start = recording.moment(0);
     for (size_t frame = 0; frame < recording.frames(); ++frame) {
-      Moment moment = recording.moment(frame);
+      media::Moment moment = recording.moment(frame);
       if (std::abs(moment.report.time - at) > 1e-6 * at) continue;
       for (size_t i = 0; i < moment.state.x.size(); ++i) moment.state.x[i] -= start.state.x[i];
       return moment.state.x;
@@ -191,4 +191,4 @@ Report pareto_report(const std::vector<Result>& results) {
   return report;
 }
 
-}  // namespace sluice
+}  // namespace sluice::study

@@ -6,7 +6,7 @@
 
 #include "studies/validation.hpp"
 
-namespace sluice {
+namespace sluice::study {
 
 struct ParetoScene {
   const char* name;      ///< that of its case of validation
@@ -32,4 +32,4 @@ inline constexpr const char *on_double = "CPU, double", *on_float = "CPU, float"
 inline constexpr const char* converged = "converged";
 }  // namespace pareto
 
-}  // namespace sluice
+}  // namespace sluice::study

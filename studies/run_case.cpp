@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/agree.hpp"
-#include "core/agreement.hpp"
+#include "core/agree/agree.hpp"
+#include "core/agree/agreement.hpp"
 #include "core/error.hpp"
-#include "core/limits.hpp"
-#include "core/scene_file.hpp"
+#include "core/scene/load.hpp"
+#include "core/solver/limits.hpp"
 
-namespace sluice {
+namespace sluice::study {
 namespace {
 
 /// Counts how often the neighbour list becomes longer.
@@ -163,4 +163,4 @@ double closest_distance(const std::vector<Vec2>& points) {
   return closest;
 }
 
-}  // namespace sluice
+}  // namespace sluice::study

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "core/summary.hpp"
+#include "core/output/summary.hpp"
 #include "studies/hard_case.hpp"
 
-namespace sluice {
+namespace sluice::study {
 
 inline constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
@@ -44,4 +44,4 @@ std::vector<std::string> faults(const HardCase& hard, const CaseResult& result);
 /// Distance of the closest two of these points; infinite for fewer.
 double closest_distance(const std::vector<Vec2>& points);
 
-}  // namespace sluice
+}  // namespace sluice::study

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace sluice {
+namespace sluice::study {
 
 using Settings = std::vector<std::string>;
 
@@ -22,4 +22,4 @@ inline const Settings recommended{"pressure.iisph.solver=barzilai-borwein", "pre
 inline const Settings quiet_pressure{"pressure.iisph.stop=residual", "pressure.iisph.tolerance=1e-2",
                                      "pressure.iisph.source_weight=0.2"};
 
-}  // namespace sluice
+}  // namespace sluice::study

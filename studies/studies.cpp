@@ -6,7 +6,7 @@
 #include "studies/timestep.hpp"
 #include "studies/validation.hpp"
 
-namespace sluice {
+namespace sluice::study {
 
 const std::vector<Study>& studies() {
   static const std::vector<Study> all{
@@ -24,4 +24,4 @@ const std::vector<Study>& studies() {
   return all;
 }
 
-}  // namespace sluice
+}  // namespace sluice::study

@@ -12,7 +12,7 @@
 #include "core/error.hpp"
 #include "media/recording.hpp"
 
-namespace sluice {
+namespace sluice::study {
 namespace {
 
 /// In quotes where a shell would read it as something else.
@@ -70,7 +70,7 @@ void check(const Result& result) {
   if (result.valid() && result.number("time") < 0.99 * planned_end(result))
     refuse(files.summary, fmt::format("a run that was interrupted at time {:g}", result.number("time")));
   if (result.point.series && read_csv(files.series).size() == 0) refuse(files.series, "no step");
-  if (result.point.recording) Recording recording(files.recording);  // checks every byte
+  if (result.point.recording) media::Recording recording(files.recording);  // checks every byte
 }
 
 }  // namespace
@@ -157,4 +157,4 @@ std::string digits(double value, int count) {
   return std::isnan(value) ? "" : fmt::format("{:.{}g}", value, count);
 }
 
-}  // namespace sluice
+}  // namespace sluice::study

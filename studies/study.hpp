@@ -13,7 +13,7 @@
 #include "studies/csv_table.hpp"
 #include "studies/table.hpp"
 
-namespace sluice {
+namespace sluice::study {
 
 /// A run of a study.
 struct Point {
@@ -92,4 +92,4 @@ inline constexpr double unknown_number = std::numeric_limits<double>::quiet_NaN(
 /// A number with so many digits; empty for NaN.
 std::string digits(double value, int count = 6);
 
-}  // namespace sluice
+}  // namespace sluice::study

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace sluice {
+namespace sluice::study {
 namespace {
 
 std::string quoted(const std::string& cell) {
@@ -75,4 +75,4 @@ TextTable TextTable::only(const std::vector<std::string>& names) const {
   return part;
 }
 
-}  // namespace sluice
+}  // namespace sluice::study

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace sluice {
+namespace sluice::study {
 
 /// The place of a column that is there.
 size_t place_of(const std::string& column, const std::vector<std::string>& columns);
@@ -20,4 +20,4 @@ struct TextTable {
   TextTable only(const std::vector<std::string>& names) const;
 };
 
-}  // namespace sluice
+}  // namespace sluice::study

@@ -7,7 +7,7 @@
 
 #include "studies/study.hpp"
 
-namespace sluice {
+namespace sluice::study {
 namespace {
 
 /// The top of the parabola through three points.
@@ -96,4 +96,4 @@ double slope_of(const TimeCurve& curve) {
   return above / below;
 }
 
-}  // namespace sluice
+}  // namespace sluice::study

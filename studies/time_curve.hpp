@@ -3,7 +3,7 @@
 
 #include <vector>
 
-namespace sluice {
+namespace sluice::study {
 
 /// Values at ascending times, two or more.
 struct TimeCurve {
@@ -36,4 +36,4 @@ Oscillation oscillation_of(const TimeCurve& curve);
 /// Slope of the line of least squares.
 double slope_of(const TimeCurve& curve);
 
-}  // namespace sluice
+}  // namespace sluice::study

@@ -8,7 +8,7 @@
 
 #include "studies/timestep_verdicts.hpp"
 
-namespace sluice {
+namespace sluice::study {
 namespace {
 
 constexpr double ratio = 1.025;
@@ -132,4 +132,4 @@ Report timestep_report(const std::vector<Result>& results) {
   return report;
 }
 
-}  // namespace sluice
+}  // namespace sluice::study

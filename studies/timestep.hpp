@@ -7,7 +7,7 @@
 
 #include "studies/study.hpp"
 
-namespace sluice {
+namespace sluice::study {
 
 std::vector<Point> timestep_points();
 Report timestep_report(const std::vector<Result>& results);
@@ -36,4 +36,4 @@ StepLimit step_limit(const std::vector<Trial>& trials);
 /// The exponent b of y = a x^b, by least squares of the logarithms.
 double exponent(const std::vector<double>& x, const std::vector<double>& y);
 
-}  // namespace sluice
+}  // namespace sluice::study

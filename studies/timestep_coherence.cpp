@@ -7,7 +7,7 @@
 #include "media/recording.hpp"
 #include "studies/timestep_verdicts.hpp"
 
-namespace sluice {
+namespace sluice::study {
 namespace {
 
 struct End {
@@ -20,12 +20,12 @@ struct End {
 bool is_trial(const Result& result) { return result.point.fact("start") != "-1"; }
 
 double kinetic_energy_at_end(const std::filesystem::path& file) {
-  const Recording recording(file);
+  const media::Recording recording(file);
   const Scene& scene = recording.scene();
   const size_t frames = std::min<size_t>(10, recording.frames());
   double sum = 0;
   for (size_t frame = recording.frames() - frames; frame < recording.frames(); ++frame) {
-    const Moment moment = recording.moment(frame);
+    const media::Moment moment = recording.moment(frame);
     for (size_t i = 0; i < moment.state.x.size(); ++i) {
       const Vec2 x = moment.state.x[i], v = moment.state.v[i];
       const bool inside = x.x >= scene.domain_min.x && x.x <= scene.domain_max.x && x.y >= scene.domain_min.y;
@@ -58,4 +58,4 @@ void judge_coherence(const std::vector<Result>& results, Verdicts& verdicts) {
   }
 }
 
-}  // namespace sluice
+}  // namespace sluice::study

@@ -7,7 +7,7 @@
 #include "studies/time_curve.hpp"
 #include "studies/timestep.hpp"
 
-namespace sluice {
+namespace sluice::study {
 namespace {
 
 double median(std::vector<double> values) {
@@ -55,4 +55,4 @@ double exponent(const std::vector<double>& x, const std::vector<double>& y) {
   return slope_of(logarithms);
 }
 
-}  // namespace sluice
+}  // namespace sluice::study

@@ -12,7 +12,7 @@
 #include "studies/timestep.hpp"
 #include "studies/verdicts.hpp"
 
-namespace sluice {
+namespace sluice::study {
 namespace {
 
 struct Configuration {
@@ -202,4 +202,4 @@ void add_timestep_limits(const std::vector<Result>& results, Report& report) {
   }
 }
 
-}  // namespace sluice
+}  // namespace sluice::study

@@ -7,7 +7,7 @@
 #include "studies/study.hpp"
 #include "studies/verdicts.hpp"
 
-namespace sluice {
+namespace sluice::study {
 
 /// Adds the table of limits and the page.
 void add_timestep_limits(const std::vector<Result>& results, Report& report);
@@ -22,4 +22,4 @@ double kinetic_energy_at_end(const std::filesystem::path& recording);
 /// Whether only SSPH falls apart without viscosity.
 void judge_coherence(const std::vector<Result>& results, Verdicts& verdicts);
 
-}  // namespace sluice
+}  // namespace sluice::study

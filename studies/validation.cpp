@@ -8,7 +8,7 @@
 
 #include "studies/validation_page.hpp"
 
-namespace sluice {
+namespace sluice::study {
 namespace {
 
 struct Machine {
@@ -106,4 +106,4 @@ Report validation_report(const std::vector<Result>& results) {
   return report;
 }
 
-}  // namespace sluice
+}  // namespace sluice::study

@@ -7,7 +7,7 @@
 
 #include "studies/study.hpp"
 
-namespace sluice {
+namespace sluice::study {
 
 /// Something of a run that is known.
 struct Measure {
@@ -50,4 +50,4 @@ std::vector<ValidationCase> water_cases();  ///< with walls: tank, dam, wave
 std::vector<Point> validation_points();
 Report validation_report(const std::vector<Result>& results);
 
-}  // namespace sluice
+}  // namespace sluice::study

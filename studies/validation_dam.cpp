@@ -10,7 +10,7 @@
 #include "studies/settings.hpp"
 #include "studies/validation_waters.hpp"
 
-namespace sluice {
+namespace sluice::study {
 namespace {
 
 /// The height is that of the water in the first tenth of the column's width.
@@ -22,12 +22,12 @@ struct Collapse {
   double energy = 0;  ///< of the start, kinetic and potential
 };
 
-Collapse collapse_of(const Recording& recording) {
+Collapse collapse_of(const media::Recording& recording) {
   const Scene& scene = recording.scene();
   const double h = scene.spacing, face = wall_faces * h;
   Collapse collapse;
   for (size_t frame = 0; frame < recording.frames(); ++frame) {
-    const Moment moment = recording.moment(frame);
+    const media::Moment moment = recording.moment(frame);
     const Snapshot& state = moment.state;
     if (frame == 0)
       for (size_t i = 0; i < state.x.size(); ++i)
@@ -51,7 +51,7 @@ Measure energy_of(const Result& result, const Collapse& collapse) {
 }
 
 std::vector<Measure> measure(const Result& result) {
-  const Collapse ours = collapse_of(Recording(result.files.recording));
+  const Collapse ours = collapse_of(media::Recording(result.files.recording));
   const auto reference = [&](const char* file) { return reference_beside(result.point.scene, file); };
   const TimeCurve height = reference("martin_moyce_height.csv"), front = reference("martin_moyce_front.csv"),
                   koshizuka = reference("koshizuka_oka_front.csv");
@@ -130,4 +130,4 @@ ValidationCase dam_case() {
           .measure = measure};
 }
 
-}  // namespace sluice
+}  // namespace sluice::study

@@ -8,7 +8,7 @@
 
 #include "studies/settings.hpp"
 
-namespace sluice {
+namespace sluice::study {
 namespace {
 
 using Words = Settings;
@@ -111,4 +111,4 @@ std::vector<ValidationCase> drop_cases() {
   return cases;
 }
 
-}  // namespace sluice
+}  // namespace sluice::study

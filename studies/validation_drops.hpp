@@ -8,7 +8,7 @@
 #include "studies/ideal_drop.hpp"
 #include "studies/validation.hpp"
 
-namespace sluice {
+namespace sluice::study {
 
 inline constexpr IdealDrop oscillating_drop{.radius = 1, .rate = 0.5, .omega_squared = 1};
 inline constexpr IdealDrop elliptic_drop{.radius = 1, .rate = -100, .omega_squared = 0};
@@ -46,4 +46,4 @@ std::vector<std::string> with_method(const char* method, double dt);
 
 std::vector<ValidationCase> motion_cases();
 
-}  // namespace sluice
+}  // namespace sluice::study

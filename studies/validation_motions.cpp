@@ -4,7 +4,7 @@
 
 #include "studies/validation_drops.hpp"
 
-namespace sluice {
+namespace sluice::study {
 namespace {
 
 /// Of double precision. Float is what the table says.
@@ -81,4 +81,4 @@ std::vector<ValidationCase> motion_cases() {
   return {uniform, fall, rotating};
 }
 
-}  // namespace sluice
+}  // namespace sluice::study

@@ -9,7 +9,7 @@
 
 #include "studies/validation.hpp"
 
-namespace sluice {
+namespace sluice::study {
 namespace {
 
 std::string percent(double error) {
@@ -169,4 +169,4 @@ std::string page_of(const ValidationTables& tables) {
   return fmt::format("{}\n{}\n{}", tables.limits.markdown(), tables.methods.markdown(), tables.rounding);
 }
 
-}  // namespace sluice
+}  // namespace sluice::study

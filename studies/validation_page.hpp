@@ -8,7 +8,7 @@
 
 #include "studies/table.hpp"
 
-namespace sluice {
+namespace sluice::study {
 
 /// Particles per unit of length.
 inline constexpr int resolutions[] = {20, 40, 80};
@@ -44,4 +44,4 @@ ValidationTables validation_tables(const ErrorCurves& curves, std::vector<std::s
 /// As Markdown.
 std::string page_of(const ValidationTables& tables);
 
-}  // namespace sluice
+}  // namespace sluice::study

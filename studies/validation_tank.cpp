@@ -9,7 +9,7 @@
 #include "studies/settings.hpp"
 #include "studies/validation_waters.hpp"
 
-namespace sluice {
+namespace sluice::study {
 namespace {
 
 /// Averages are over what is left of the run, when it has come to rest.
@@ -27,10 +27,10 @@ Tank tank_of(const Result& result) {
 }
 
 Measure pressure_of(const Result& result, const Tank& tank) {
-  const Recording recording(result.files.recording);
+  const media::Recording recording(result.files.recording);
   PressureBins bins(tank.spacing, wall_faces * tank.spacing);
   for (size_t frame = 0; frame < recording.frames(); ++frame) {
-    const Moment moment = recording.moment(frame);
+    const media::Moment moment = recording.moment(frame);
     if (moment.report.time >= tank.begin) bins.add(moment.state.x, moment.state.pressure);
   }
   return {"pressure", unknown_number, unknown_number, bins.error(tank.weight) / (tank.weight * tank.depth)};
@@ -123,4 +123,4 @@ double PressureBins::error(double weight) const {
   return std::sqrt(squares / used);
 }
 
-}  // namespace sluice
+}  // namespace sluice::study

@@ -1,10 +1,10 @@
 // Cases with walls, and what they share.
 #include "studies/validation_waters.hpp"
 
-#include "core/scene_file.hpp"
+#include "core/scene/load.hpp"
 #include "studies/csv_table.hpp"
 
-namespace sluice {
+namespace sluice::study {
 
 std::vector<ValidationCase> water_cases() { return {tank_case(), dam_case(), wave_case()}; }
 
@@ -13,4 +13,4 @@ TimeCurve reference_beside(const std::string& scene, const std::string& file) {
   return {table.column("time"), table.column("value")};
 }
 
-}  // namespace sluice
+}  // namespace sluice::study

@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "core/scene.hpp"
+#include "core/scene/scene.hpp"
 #include "studies/time_curve.hpp"
 #include "studies/validation.hpp"
 
-namespace sluice {
+namespace sluice::study {
 
 ValidationCase tank_case();
 ValidationCase dam_case();
@@ -62,4 +62,4 @@ double wave_period(double gravity, double wave_number, double depth);
 /// The curve of a CSV file beside the scene of a point.
 TimeCurve reference_beside(const std::string& scene, const std::string& file);
 
-}  // namespace sluice
+}  // namespace sluice::study

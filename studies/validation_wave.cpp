@@ -6,7 +6,7 @@
 #include "studies/settings.hpp"
 #include "studies/validation_waters.hpp"
 
-namespace sluice {
+namespace sluice::study {
 namespace {
 
 /// The scene's: half a wave from wall to wall; the depth and the gravity are 1.
@@ -58,4 +58,4 @@ ValidationCase wave_case() {
           .measure = measure};
 }
 
-}  // namespace sluice
+}  // namespace sluice::study

@@ -5,7 +5,7 @@
 
 #include "studies/table.hpp"
 
-namespace sluice {
+namespace sluice::study {
 
 /// A row per claim.
 class Verdicts {
@@ -22,4 +22,4 @@ class Verdicts {
   TextTable table_{{"claim", "theirs", "ours", "verdict", "why"}, {}};
 };
 
-}  // namespace sluice
+}  // namespace sluice::study

@@ -10,12 +10,12 @@
 
 #include "apps/sluice/differences.hpp"
 #include "core/error.hpp"
-#include "core/frame_clock.hpp"
-#include "core/scene_file.hpp"
+#include "core/output/frame_clock.hpp"
+#include "core/scene/load.hpp"
 #include "core/text.hpp"
 #include "media/recording.hpp"
 
-namespace sluice {
+namespace sluice::app {
 namespace {
 
 std::vector<std::string> joined(std::vector<std::string> first, const std::vector<std::string>& then) {
@@ -50,7 +50,7 @@ std::optional<Checkpoint> checkpoint_to_resume(const RunOptions& options) {
 
 Scene scene_to_run(const RunOptions& options, const std::optional<Checkpoint>& from) {
   if (options.scene) {
-    refuse_recording(*options.scene);
+    media::refuse_recording(*options.scene);
     refuse_checkpoint(*options.scene);
     if (!from) return load_scene(*options.scene, options.overrides);
   }
@@ -112,4 +112,4 @@ void Checkpoints::tell_of_last() const {
   fmt::print(stderr, "sluice: no checkpoint of an invalid state is written; {}\n", last);
 }
 
-}  // namespace sluice
+}  // namespace sluice::app

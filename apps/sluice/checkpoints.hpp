@@ -5,11 +5,11 @@
 #include <string>
 
 #include "apps/sluice/options.hpp"
-#include "core/simulator.hpp"
-#include "core/summary.hpp"
-#include "media/checkpoint.hpp"
+#include "core/output/checkpoint.hpp"
+#include "core/output/summary.hpp"
+#include "core/solver/simulator.hpp"
 
-namespace sluice {
+namespace sluice::app {
 
 /// The checkpoint that --resume names, if it does. InputError when it can't be read or when its precision is
 /// not that of this run.
@@ -60,4 +60,4 @@ class Checkpoints {
   std::optional<uint64_t> written_;  ///< the step of the last one
 };
 
-}  // namespace sluice
+}  // namespace sluice::app

@@ -16,7 +16,7 @@
 
 #include "core/error.hpp"
 
-namespace sluice {
+namespace sluice::app {
 namespace {
 
 struct Close {
@@ -108,4 +108,4 @@ void in_children(size_t count, int jobs, const std::function<std::string(size_t)
   }
 }
 
-}  // namespace sluice
+}  // namespace sluice::app

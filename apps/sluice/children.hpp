@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-namespace sluice {
+namespace sluice::app {
 
 /// What came of a task.
 struct ChildEnd {
@@ -21,4 +21,4 @@ struct ChildEnd {
 void in_children(size_t count, int jobs, const std::function<std::string(size_t)>& task,
                  const std::function<void(size_t, const ChildEnd&)>& done);
 
-}  // namespace sluice
+}  // namespace sluice::app

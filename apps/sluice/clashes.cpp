@@ -7,7 +7,7 @@
 
 #include "core/error.hpp"
 
-namespace sluice {
+namespace sluice::app {
 
 void refuse_clashes(const std::vector<NamedFile>& files) {
   std::map<std::filesystem::path, std::string> taken;
@@ -25,4 +25,4 @@ void refuse_clashes(const std::vector<NamedFile>& files) {
   }
 }
 
-}  // namespace sluice
+}  // namespace sluice::app

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace sluice {
+namespace sluice::app {
 
 /// A file or folder and what it is to the user: "the scene", "--state". Devices and pipes may be named more
 /// than once.
@@ -16,4 +16,4 @@ using NamedFile = std::pair<std::string, std::optional<std::filesystem::path>>;
 /// InputError when one is there twice.
 void refuse_clashes(const std::vector<NamedFile>& files);
 
-}  // namespace sluice
+}  // namespace sluice::app

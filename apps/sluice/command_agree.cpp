@@ -5,16 +5,16 @@
 
 #include "apps/sluice/commands.hpp"
 #include "apps/sluice/machine.hpp"
-#include "core/agree.hpp"
+#include "core/agree/agree.hpp"
 #include "core/error.hpp"
-#include "core/memory.hpp"
-#include "core/output_file.hpp"
-#include "core/scene_file.hpp"
+#include "core/output/checkpoint.hpp"
+#include "core/output/output_file.hpp"
+#include "core/scene/load.hpp"
+#include "core/solver/memory.hpp"
 #include "cpu/backend.hpp"
-#include "media/checkpoint.hpp"
 #include "media/recording.hpp"
 
-namespace sluice {
+namespace sluice::app {
 namespace {
 
 /// Units in the last place of a field's largest value that a graphics card may be off by: its divisions and
@@ -116,7 +116,7 @@ nlohmann::ordered_json to_json(const Agreement& agreement, const std::string& sc
 }  // namespace
 
 int agree_command(const AgreeOptions& options) {
-  refuse_recording(options.scene);
+  media::refuse_recording(options.scene);
   refuse_checkpoint(options.scene);
   const Scene scene = load_scene(options.scene, options.overrides);
   const Plan plan = make_plan(needs_of(scene));
@@ -150,4 +150,4 @@ int agree_command(const AgreeOptions& options) {
   return agreement.pass ? 0 : 1;
 }
 
-}  // namespace sluice
+}  // namespace sluice::app

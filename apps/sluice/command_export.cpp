@@ -11,18 +11,18 @@
 #include "gpu/context.hpp"
 #include "media/recording.hpp"
 
-namespace sluice {
+namespace sluice::app {
 
 namespace {
 
 /// How many there were time for.
-size_t export_frames(const Recording& recording, FrameOutputs& outputs, bool quiet) {
+size_t export_frames(const media::Recording& recording, FrameOutputs& outputs, bool quiet) {
   const double end = recording.moment(recording.frames() - 1).report.time;
   Progress progress(recording.frames(), end, "frames", quiet);
   size_t done = 0;
   try {
     for (; done < recording.frames() && !interrupted(); ++done) {
-      const Moment moment = recording.moment(done);
+      const media::Moment moment = recording.moment(done);
       outputs.add(moment.report, moment.seconds_per_step, {[&] { return moment.state; }, nullptr});
       progress.show(done + 1, moment.report);
     }
@@ -43,7 +43,7 @@ int export_command(const ExportOptions& options) {
                   {"--video", options.frames.video},
                   {"--frames", options.frames.frames},
                   {"--vtk", options.frames.vtk}});
-  const Recording recording(options.recording, options.overrides);
+  const media::Recording recording(options.recording, options.overrides);
   note_interrupts();  // from here on there is something to finish
   std::optional<gpu::Context> context;
   FrameOutputs outputs(options.frames, recording.scene(), recording.samples(), recording.precision(), "",
@@ -64,4 +64,4 @@ int export_command(const ExportOptions& options) {
   return 0;
 }
 
-}  // namespace sluice
+}  // namespace sluice::app

@@ -3,18 +3,18 @@
 
 #include "apps/sluice/commands.hpp"
 #include "core/error.hpp"
-#include "core/memory.hpp"
-#include "core/plan.hpp"
-#include "core/sampling.hpp"
-#include "core/scene_file.hpp"
-#include "core/summary.hpp"
+#include "core/model/plan.hpp"
+#include "core/output/checkpoint.hpp"
+#include "core/output/summary.hpp"
+#include "core/scene/load.hpp"
+#include "core/scene/sampling.hpp"
+#include "core/solver/memory.hpp"
 #include "core/text.hpp"
 #include "cpu/backend.hpp"
 #include "gpu/context.hpp"
-#include "media/checkpoint.hpp"
 #include "media/recording.hpp"
 
-namespace sluice {
+namespace sluice::app {
 namespace {
 
 void print_machine() {
@@ -35,7 +35,7 @@ void print_stages(std::string_view title, const std::vector<Stage>& stages) {
 }
 
 void print_scene(const std::string& name, const std::vector<std::string>& overrides) {
-  refuse_recording(name);
+  media::refuse_recording(name);
   refuse_checkpoint(name);
   const Scene scene = load_scene(name, overrides);
   require_memory(scene, Precision::double_, available_memory());
@@ -81,4 +81,4 @@ int info_command(const std::optional<std::string>& scene, const std::vector<std:
   return 0;
 }
 
-}  // namespace sluice
+}  // namespace sluice::app

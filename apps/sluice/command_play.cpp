@@ -4,14 +4,14 @@
 #include <algorithm>
 
 #include "apps/sluice/commands.hpp"
-#include "apps/sluice/play_menu.hpp"
-#include "apps/sluice/play_recording.hpp"
-#include "apps/sluice/play_scene.hpp"
+#include "apps/sluice/play/menu.hpp"
+#include "apps/sluice/play/recording.hpp"
+#include "apps/sluice/play/scene.hpp"
 #include "core/error.hpp"
-#include "core/scene_file.hpp"
-#include "media/checkpoint.hpp"
+#include "core/output/checkpoint.hpp"
+#include "core/scene/load.hpp"
 
-namespace sluice {
+namespace sluice::app {
 namespace {
 
 /// What belongs to a run is refused for a recording, which is one already.
@@ -29,7 +29,7 @@ void refuse_options_of_runs(const PlayOptions& options) {
 
 int play_recording(const PlayOptions& options) {
   refuse_options_of_runs(options);
-  Recording recording(options.source, options.overrides);
+  media::Recording recording(options.source, options.overrides);
   Viewer viewer(recording.scene().image_size, options.overlay, options.machine.shader_dir);
   RecordingPlayer(std::move(recording), options.speed, viewer).run();
   return 0;
@@ -38,7 +38,7 @@ int play_recording(const PlayOptions& options) {
 }  // namespace
 
 int play_command(const PlayOptions& options) {
-  if (!options.source.empty() && is_recording(options.source)) return play_recording(options);
+  if (!options.source.empty() && media::is_recording(options.source)) return play_recording(options);
   glm::uvec2 size = menu_size;
   if (!options.source.empty()) refuse_checkpoint(options.source);
   if (!options.source.empty()) {  // a scene that can't be read needs no window to say so
@@ -62,4 +62,4 @@ int play_command(const PlayOptions& options) {
   return 0;
 }
 
-}  // namespace sluice
+}  // namespace sluice::app

@@ -17,14 +17,14 @@
 #include "apps/sluice/warnings.hpp"
 #include "core/attempts.hpp"
 #include "core/error.hpp"
-#include "core/frame_clock.hpp"
-#include "core/memory.hpp"
-#include "core/series.hpp"
-#include "core/simulator.hpp"
-#include "core/state_file.hpp"
-#include "core/summary.hpp"
+#include "core/output/frame_clock.hpp"
+#include "core/output/series.hpp"
+#include "core/output/state_file.hpp"
+#include "core/output/summary.hpp"
+#include "core/solver/memory.hpp"
+#include "core/solver/simulator.hpp"
 
-namespace sluice {
+namespace sluice::app {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -247,4 +247,4 @@ int run_command(const RunOptions& options) {
   return code;
 }
 
-}  // namespace sluice
+}  // namespace sluice::app

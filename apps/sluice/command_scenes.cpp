@@ -2,12 +2,12 @@
 #include <fmt/format.h>
 
 #include "apps/sluice/commands.hpp"
-#include "core/sampling.hpp"
-#include "core/scene_file.hpp"
-#include "core/scene_keys.hpp"
+#include "core/scene/keys.hpp"
+#include "core/scene/load.hpp"
+#include "core/scene/sampling.hpp"
 #include "core/text.hpp"
 
-namespace sluice {
+namespace sluice::app {
 
 int scenes_command(bool keys) {
   if (keys) {
@@ -25,4 +25,4 @@ int scenes_command(bool keys) {
   return 0;
 }
 
-}  // namespace sluice
+}  // namespace sluice::app

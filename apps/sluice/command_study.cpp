@@ -8,7 +8,7 @@
 #include "apps/sluice/study_points.hpp"
 #include "core/error.hpp"
 
-namespace sluice {
+namespace sluice::app {
 namespace {
 
 constexpr const char* hard = "hard";
@@ -41,4 +41,4 @@ int study_command(const StudyOptions& options) {
   return options.name == hard ? study_hard(options) : study_points(*study, options);
 }
 
-}  // namespace sluice
+}  // namespace sluice::app

@@ -7,7 +7,7 @@
 
 #include "apps/sluice/options.hpp"
 
-namespace sluice {
+namespace sluice::app {
 
 int run_command(const RunOptions& options);
 int agree_command(const AgreeOptions& options);
@@ -17,4 +17,4 @@ int study_command(const StudyOptions& options);
 int scenes_command(bool keys);
 int info_command(const std::optional<std::string>& scene, const std::vector<std::string>& overrides);
 
-}  // namespace sluice
+}  // namespace sluice::app

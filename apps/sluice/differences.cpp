@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace sluice {
+namespace sluice::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -61,4 +61,4 @@ std::optional<Difference> first_difference(const Json& before, const Json& now) 
   return differ("", &before, &now);
 }
 
-}  // namespace sluice
+}  // namespace sluice::app

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-namespace sluice {
+namespace sluice::app {
 
 struct Difference {
   std::string key;          ///< as for --set: "fluid.rect.0.max"
@@ -17,4 +17,4 @@ struct Difference {
 std::optional<Difference> first_difference(const nlohmann::ordered_json& before,
                                            const nlohmann::ordered_json& now);
 
-}  // namespace sluice
+}  // namespace sluice::app

@@ -7,11 +7,11 @@
 #include "apps/sluice/warnings.hpp"
 #include "core/attempts.hpp"
 #include "core/error.hpp"
-#include "core/frame.hpp"
 #include "core/text.hpp"
+#include "draw/frame.hpp"
 #include "gpu/context.hpp"
 
-namespace sluice {
+namespace sluice::app {
 namespace {
 
 std::string frame_name(uint64_t k) { return fmt::format("frame_{:06}.png", k); }
@@ -28,7 +28,9 @@ PictureFolder::PictureFolder(const std::filesystem::path& folder, uint64_t first
   }
 }
 
-void PictureFolder::write(Image image) { writer_.write(folder_ / frame_name(next_++), std::move(image)); }
+void PictureFolder::write(draw::Image image) {
+  writer_.write(folder_ / frame_name(next_++), std::move(image));
+}
 
 void PictureFolder::flush() { writer_.flush(); }
 
@@ -45,17 +47,17 @@ FrameOutputs::FrameOutputs(const FrameOptions& options, const Scene& scene, cons
                            const std::function<const gpu::Context&()>& context, const FramesBefore& before)
     : options_(options), scene_(scene), samples_(samples) {
   if (options.pictures())
-    painter_ = std::make_unique<gpu::Painter>(context(), scene, samples, scene.image_size);
+    painter_ = std::make_unique<draw::Painter>(context(), scene, samples, scene.image_size);
   if (options.frames) pictures_.emplace(*options.frames, before.count);
   if (options.video) video_.emplace(*options.video, scene.image_size, scene.fps * options.speed);
   if (options.vtk) vtk_.emplace(*options.vtk, samples.boundary, precision, before.count, before.time);
   if (options.record) recording_.emplace(*options.record, scene, precision, device);
 }
 
-const Image& FrameOutputs::picture(const StepReport& report, double seconds_per_step,
-                                   const StateSource& source) {
+const draw::Image& FrameOutputs::picture(const StepReport& report, double seconds_per_step,
+                                         const StateSource& source) {
   if (image_step_ == report.step) return image_;
-  Frame labels;
+  draw::Frame labels;
   labels.colour = scene_.colour;
   labels.text = overlay_text(scene_, samples_, report, options_.overlay, seconds_per_step);
   labels.colour_bar = scene_.colour != Colour::speed && options_.overlay != OverlayChoice::none;
@@ -132,4 +134,4 @@ void FrameOutputs::tell(bool quiet) const {
   }
 }
 
-}  // namespace sluice
+}  // namespace sluice::app

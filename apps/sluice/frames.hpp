@@ -6,14 +6,14 @@
 #include <optional>
 
 #include "apps/sluice/options.hpp"
-#include "core/image.hpp"
-#include "core/sampling.hpp"
-#include "gpu/painter.hpp"
+#include "core/scene/sampling.hpp"
+#include "draw/image.hpp"
+#include "draw/painter.hpp"
 #include "media/recording.hpp"
 #include "media/video.hpp"
 #include "media/vtk_series.hpp"
 
-namespace sluice {
+namespace sluice::app {
 
 /// Pictures in a folder: frame_000000.png, ...
 class PictureFolder {
@@ -21,7 +21,7 @@ class PictureFolder {
   /// Creates the folder. The first picture has the number `first`.
   explicit PictureFolder(const std::filesystem::path& folder, uint64_t first = 0);
 
-  void write(Image image);
+  void write(draw::Image image);
   void flush();   ///< returns when all pictures so far have been written
   void finish();  ///< the same; nothing may be written afterwards
 
@@ -31,7 +31,7 @@ class PictureFolder {
 
  private:
   std::filesystem::path folder_;
-  PngWriter writer_;
+  draw::PngWriter writer_;
   uint64_t first_, next_;
 };
 
@@ -69,20 +69,20 @@ class FrameOutputs {
   void tell(bool quiet) const;
 
  private:
-  const Image& picture(const StepReport& report, double seconds_per_step, const StateSource& source);
+  const draw::Image& picture(const StepReport& report, double seconds_per_step, const StateSource& source);
   const Snapshot& state(const StepReport& report, const StateSource& source);
 
   FrameOptions options_;
   const Scene& scene_;
   const Samples& samples_;
   std::optional<PictureFolder> pictures_;
-  std::optional<VideoFile> video_;
-  std::optional<VtkSeries> vtk_;
-  std::optional<RecordingWriter> recording_;
-  std::unique_ptr<gpu::Painter> painter_;
-  Image image_;     // of the last step shown
-  Snapshot state_;  // the same
+  std::optional<media::VideoFile> video_;
+  std::optional<media::VtkSeries> vtk_;
+  std::optional<media::RecordingWriter> recording_;
+  std::unique_ptr<draw::Painter> painter_;
+  draw::Image image_;  // of the last step shown
+  Snapshot state_;     // the same
   std::optional<uint64_t> image_step_, state_step_;
 };
 
-}  // namespace sluice
+}  // namespace sluice::app

@@ -3,7 +3,7 @@
 
 #include <csignal>
 
-namespace sluice {
+namespace sluice::app {
 namespace {
 
 volatile std::sig_atomic_t stop_requested = 0;
@@ -23,4 +23,4 @@ void note_interrupts() {
 
 bool interrupted() { return stop_requested != 0; }
 
-}  // namespace sluice
+}  // namespace sluice::app

@@ -6,7 +6,7 @@
 #include "core/error.hpp"
 #include "cpu/backend.hpp"
 
-namespace sluice {
+namespace sluice::app {
 
 double memory_factor(const MachineOptions& options) {
   return options.backend == BackendChoice::gpu ? 1.5 : 1;
@@ -60,4 +60,4 @@ void Machine::use_gpu(const std::string& why) {
   choice_ = fmt::format("gpu, {} ({})", context_->renderer(), why);
 }
 
-}  // namespace sluice
+}  // namespace sluice::app

@@ -6,11 +6,11 @@
 #include <string>
 
 #include "apps/sluice/options.hpp"
-#include "core/backend.hpp"
+#include "core/solver/backend.hpp"
 #include "gpu/backend.hpp"
 #include "gpu/context.hpp"
 
-namespace sluice {
+namespace sluice::app {
 
 /// How many times its fields' memory a run may take: a software OpenGL copies some.
 double memory_factor(const MachineOptions& options);
@@ -42,4 +42,4 @@ class Machine {
   std::string choice_;
 };
 
-}  // namespace sluice
+}  // namespace sluice::app

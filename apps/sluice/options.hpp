@@ -7,13 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "core/backend.hpp"
+#include "core/solver/backend.hpp"
 
-namespace CLI {
-class App;
-}
-
-namespace sluice {
+namespace sluice::app {
 
 enum class BackendChoice { automatic, cpu, gpu };
 enum class OverlayChoice { none, facts, all };
@@ -86,18 +82,4 @@ struct StudyOptions {
   bool list = false;   ///< print the runs instead
 };
 
-/// Declares --set KEY=VALUE, repeatable.
-void declare_overrides(CLI::App& app, std::vector<std::string>& overrides);
-
-/// Declares --shader-dir, and with declare_gl_options --gl-device too.
-void declare_shader_dir(CLI::App& app, MachineOptions& options);
-void declare_gl_options(CLI::App& app, MachineOptions& options);
-
-/// Declares the options of `sluice run` on `app`; `options` is filled when the command line is parsed.
-void declare_run_options(CLI::App& app, RunOptions& options);
-void declare_agree_options(CLI::App& app, AgreeOptions& options);
-void declare_study_options(CLI::App& app, StudyOptions& options);
-void declare_export_options(CLI::App& app, ExportOptions& options);
-void declare_play_options(CLI::App& app, PlayOptions& options);
-
-}  // namespace sluice
+}  // namespace sluice::app

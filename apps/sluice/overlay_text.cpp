@@ -5,7 +5,7 @@
 
 #include "core/text.hpp"
 
-namespace sluice {
+namespace sluice::app {
 
 std::vector<std::string> overlay_text(const Scene& scene, const Samples& samples, const StepReport& report,
                                       OverlayChoice overlay, double seconds_per_step) {
@@ -20,4 +20,4 @@ std::vector<std::string> overlay_text(const Scene& scene, const Samples& samples
   return lines;
 }
 
-}  // namespace sluice
+}  // namespace sluice::app

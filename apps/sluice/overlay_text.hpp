@@ -5,13 +5,13 @@
 #include <vector>
 
 #include "apps/sluice/options.hpp"
-#include "core/report.hpp"
-#include "core/sampling.hpp"
+#include "core/scene/sampling.hpp"
+#include "core/solver/report.hpp"
 
-namespace sluice {
+namespace sluice::app {
 
 /// Title, method, time, iterations, particles; with `all` also the wall time of the step.
 std::vector<std::string> overlay_text(const Scene& scene, const Samples& samples, const StepReport& report,
                                       OverlayChoice overlay, double seconds_per_step);
 
-}  // namespace sluice
+}  // namespace sluice::app

@@ -9,7 +9,7 @@
 
 #include "core/text.hpp"
 
-namespace sluice {
+namespace sluice::app {
 namespace {
 
 /// Of the terminal; a line that is wrapped could not be rewritten.
@@ -57,4 +57,4 @@ void Progress::show(uint64_t count, const StepReport& report, uint64_t not_conve
   std::fflush(stderr);
 }
 
-}  // namespace sluice
+}  // namespace sluice::app

@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <string>
 
-#include "core/simulator.hpp"
+#include "core/solver/simulator.hpp"
 
-namespace sluice {
+namespace sluice::app {
 
 class Progress {
  public:
@@ -36,4 +36,4 @@ class Progress {
   Clock::time_point start_ = Clock::now(), last_ = start_;
 };
 
-}  // namespace sluice
+}  // namespace sluice::app

@@ -9,14 +9,16 @@
 
 #include "apps/sluice/children.hpp"
 #include "core/error.hpp"
-#include "core/output_file.hpp"
+#include "core/output/output_file.hpp"
 #include "cpu/backend.hpp"
 #include "gpu/backend.hpp"
 #include "gpu/context.hpp"
 #include "studies/hard_table.hpp"
 #include "studies/table.hpp"
 
-namespace sluice {
+namespace sluice::app {
+
+using namespace study;
 namespace {
 
 constexpr const char* backends[] = {"cpu", "gpu"};
@@ -152,4 +154,4 @@ int study_hard(const StudyOptions& options) {
   return code;
 }
 
-}  // namespace sluice
+}  // namespace sluice::app

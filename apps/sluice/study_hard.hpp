@@ -3,10 +3,10 @@
 
 #include "apps/sluice/options.hpp"
 
-namespace sluice {
+namespace sluice::app {
 
 /// Writes scenes/NAME.toml of every case and the tables hard.csv and hard.md into the folder of `options`.
 /// Returns 1 when a case did not come out as expected, else 0. Throws EnvironmentError without OpenGL.
 int study_hard(const StudyOptions& options);
 
-}  // namespace sluice
+}  // namespace sluice::app

@@ -3,16 +3,16 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 
 #include "apps/sluice/children.hpp"
+#include "apps/sluice/command_line.hpp"
 #include "apps/sluice/commands.hpp"
 #include "core/error.hpp"
-#include "core/output_file.hpp"
+#include "core/output/output_file.hpp"
 
-namespace sluice {
+namespace sluice::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -41,14 +41,9 @@ void make_folder(const fs::path& folder) {
 
 /// Runs the point in this process and returns its exit code.
 int run_point(const Point& point, const fs::path& folder) {
-  CLI::App app;
-  RunOptions options;
-  declare_run_options(app, options);
   std::vector<std::string> words = words_of(point, folder);
-  words.erase(words.begin());   // "run"
-  std::ranges::reverse(words);  // as this library wants them
-  app.parse(words);
-  return run_command(options);
+  words.erase(words.begin());  // "run"
+  return run_command(run_options_of(std::move(words)));
 }
 
 /// A result of an earlier run must not be taken for one of this.
@@ -119,4 +114,4 @@ int study_points(const Study& study, const StudyOptions& options) {
   return 1;
 }
 
-}  // namespace sluice
+}  // namespace sluice::app

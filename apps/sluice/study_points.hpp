@@ -4,9 +4,11 @@
 #include "apps/sluice/options.hpp"
 #include "studies/study.hpp"
 
-namespace sluice {
+namespace sluice::app {
+
+using namespace study;
 
 /// Returns the exit code: 1 when something that is asserted did not come out, or a point could not be run.
 int study_points(const Study& study, const StudyOptions& options);
 
-}  // namespace sluice
+}  // namespace sluice::app

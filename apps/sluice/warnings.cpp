@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "core/time_step.hpp"
+#include "core/solver/time_step.hpp"
 
-namespace sluice {
+namespace sluice::app {
 
 void warn(bool quiet, const std::string& message) {
   if (!quiet) fmt::print(stderr, "sluice: warning: {}\n", message);
@@ -101,4 +101,4 @@ void warn_of_poor_run(const Scene& scene, const RunStatistics& statistics, const
   warn_of_losses(statistics, losses, quiet);
 }
 
-}  // namespace sluice
+}  // namespace sluice::app

@@ -4,11 +4,11 @@
 #include <string>
 
 #include "apps/sluice/options.hpp"
-#include "core/limits.hpp"
-#include "core/scene.hpp"
-#include "core/summary.hpp"
+#include "core/output/summary.hpp"
+#include "core/scene/scene.hpp"
+#include "core/solver/limits.hpp"
 
-namespace sluice {
+namespace sluice::app {
 
 /// One line on standard error, unless `quiet`.
 void warn(bool quiet, const std::string& message);
@@ -26,4 +26,4 @@ void warn_of_losses(const RunStatistics& statistics, const std::vector<Loss>& lo
 void warn_of_poor_run(const Scene& scene, const RunStatistics& statistics, const std::vector<Loss>& losses,
                       bool quiet);
 
-}  // namespace sluice
+}  // namespace sluice::app

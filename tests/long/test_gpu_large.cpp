@@ -7,6 +7,8 @@
 #include "tests/support/table.hpp"
 
 namespace sluice::test {
+
+using namespace study;
 namespace {
 
 std::string state_of(const std::string& backend, const std::vector<std::string>& settings,

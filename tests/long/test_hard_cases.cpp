@@ -2,6 +2,8 @@
 #include "tests/support/hard.hpp"
 
 namespace sluice::test {
+
+using namespace study;
 namespace {
 
 class HardCases : public testing::TestWithParam<HardRun> {};

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "core/summary.hpp"
+#include "core/output/summary.hpp"
 #include "tests/support/column.hpp"
 
 namespace sluice::test {

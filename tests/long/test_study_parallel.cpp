@@ -7,6 +7,8 @@
 #include "tests/support/table.hpp"
 
 namespace sluice::test {
+
+using namespace study;
 namespace {
 
 /// In the folder, with this program on the path.

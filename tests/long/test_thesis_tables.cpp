@@ -5,7 +5,7 @@
 #include <cmath>
 #include <ostream>
 
-#include "core/summary.hpp"
+#include "core/output/summary.hpp"
 #include "tests/support/run_program.hpp"
 #include "tests/support/simulation.hpp"
 

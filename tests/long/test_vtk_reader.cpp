@@ -113,7 +113,7 @@ TEST_P(VtkReader, FindsWhatWasWritten) {
   const std::vector<Vec2> boundary = some_state(41, 0.25).x;
   const std::vector<double> times{0, 0.1 + 0.2, 1e-7};
   const std::vector<Snapshot> states{some_state(3000, 0), some_state(3000, 0.5), Snapshot{}};
-  VtkSeries series(folder / "vtk", boundary, GetParam());
+  media::VtkSeries series(folder / "vtk", boundary, GetParam());
   for (size_t k = 0; k < times.size(); ++k) series.add(times[k], states[k]);
   series.finish();
 

@@ -5,8 +5,8 @@
 
 #include <vector>
 
-#include "core/sampling.hpp"
-#include "core/scene.hpp"
+#include "core/scene/sampling.hpp"
+#include "core/scene/scene.hpp"
 
 namespace sluice::test {
 

@@ -1,8 +1,8 @@
 // Mutants of checkpoints: of the whole file, or of its header or its numbers with the rest made to fit.
 #include <cmath>
 
-#include "media/checkpoint.hpp"
-#include "media/checkpoint_format.hpp"
+#include "core/output/checkpoint.hpp"
+#include "core/output/checkpoint_format.hpp"
 #include "tests/support/mutated_files.hpp"
 #include "tests/support/run_program.hpp"
 #include "tests/support/scene_claims.hpp"
@@ -10,8 +10,6 @@
 
 namespace sluice::test {
 namespace {
-
-using checkpoint::Facts;
 
 constexpr size_t checksum_size = sizeof(uint64_t);
 
@@ -25,7 +23,7 @@ void seal(std::string& bytes) {
 }
 
 std::string changed_part(const std::string& bytes, Dice& dice) {
-  const size_t size_at = checkpoint::magic.size() + sizeof(uint32_t), header_at = size_at + sizeof(uint32_t);
+  const size_t size_at = checkpoint_magic.size() + sizeof(uint32_t), header_at = size_at + sizeof(uint32_t);
   std::string header = bytes.substr(header_at, read_from<uint32_t>(bytes, size_at));
   std::string numbers = bytes.substr(header_at + header.size());
   if (dice.one_in(2)) {
@@ -33,7 +31,7 @@ std::string changed_part(const std::string& bytes, Dice& dice) {
   } else {
     change_numbers(numbers, dice);
   }
-  std::string changed = preamble(checkpoint::kind, header) + numbers;
+  std::string changed = preamble(checkpoint_file_kind, header) + numbers;
   seal(changed);
   return changed;
 }

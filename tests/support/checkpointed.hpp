@@ -11,6 +11,8 @@
 
 namespace sluice::test {
 
+using namespace study;
+
 using Words = std::vector<std::string>;
 
 inline bool has(const std::string& text, const std::string& part) {

@@ -2,7 +2,7 @@
 
 #include <numeric>
 
-#include "core/params.hpp"
+#include "core/model/params.hpp"
 
 namespace sluice::test {
 namespace {

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/scene.hpp"
+#include "core/scene/scene.hpp"
 #include "gpu/backend.hpp"
 #include "gpu/context.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/agree.hpp"
+#include "core/agree/agree.hpp"
 
 namespace sluice::test {
 

@@ -2,13 +2,15 @@
 
 #include <cmath>
 
-#include "core/agree.hpp"
+#include "core/agree/agree.hpp"
 #include "cpu/backend.hpp"
 #include "gpu/backend.hpp"
 #include "gpu/context.hpp"
 #include "studies/hard_table.hpp"
 
 namespace sluice::test {
+
+using namespace study;
 namespace {
 
 std::string joined(const std::vector<std::string>& lines) {

@@ -11,6 +11,8 @@
 
 namespace sluice::test {
 
+using namespace study;
+
 struct HardRun {
   HardCase hard;
   bool on_gpu = false;

@@ -11,9 +11,9 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.hpp"
-#include "core/memory.hpp"
-#include "core/scene_file.hpp"
-#include "media/checked_file.hpp"
+#include "core/output/checked_file.hpp"
+#include "core/scene/load.hpp"
+#include "core/solver/memory.hpp"
 #include "tests/support/run_program.hpp"
 #include "tests/support/scene_claims.hpp"
 

@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <functional>
 
-#include "core/scene_keys.hpp"
+#include "core/scene/keys.hpp"
 #include "tests/support/mutation.hpp"
 #include "tests/support/run_program.hpp"
 #include "tests/support/scene_claims.hpp"

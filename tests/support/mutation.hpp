@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/random.hpp"
+#include "core/scene/random.hpp"
 
 namespace sluice::test {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "core/stages.hpp"
+#include "core/model/stages.hpp"
 
 namespace sluice::test {
 

@@ -7,15 +7,15 @@
 #include <string>
 #include <vector>
 
+#include "draw/renderer.hpp"
 #include "gpu/context.hpp"
-#include "gpu/renderer.hpp"
 
 namespace sluice::test {
 
-using gpu::Box;
+using draw::Box;
+using draw::ParticleShape;
+using draw::Renderer;
 using gpu::Context;
-using gpu::ParticleShape;
-using gpu::Renderer;
 using Pixel = std::array<int, 3>;
 inline constexpr Pixel white{255, 255, 255};
 inline constexpr double red_speed = 2;  // |v| dt/h beyond 1: pure red, so that 255 - green is the coverage
@@ -25,15 +25,15 @@ class PictureTest : public testing::Test {
   void TearDown() override { EXPECT_NO_THROW(context.check("the test")); }
 
   // A picture of the view (0, 0) - size, one pixel per unit.
-  Image draw(glm::uvec2 size, double diameter, const std::vector<Vec2>& fluid, double value = red_speed,
-             ParticleShape shape = ParticleShape::automatic) {
-    Renderer renderer(context, size, Vec2(0), Vec2(size), diameter, shape);
+  draw::Image draw(glm::uvec2 size, double diameter, const std::vector<Vec2>& fluid, double value = red_speed,
+                   draw::ParticleShape shape = draw::ParticleShape::automatic) {
+    draw::Renderer renderer(context, size, Vec2(0), Vec2(size), diameter, shape);
     const std::vector<double> values(fluid.size(), value);
     return renderer.draw(frame(fluid, values));
   }
 
-  static Frame frame(const std::vector<Vec2>& fluid, const std::vector<double>& values) {
-    Frame result;
+  static draw::Frame frame(const std::vector<Vec2>& fluid, const std::vector<double>& values) {
+    draw::Frame result;
     result.fluid = fluid;
     result.value = values;
     return result;
@@ -42,7 +42,7 @@ class PictureTest : public testing::Test {
   Context context;
 };
 
-inline Pixel pixel(const Image& image, uint32_t x, uint32_t y) {
+inline Pixel pixel(const draw::Image& image, uint32_t x, uint32_t y) {
   const size_t at = (size_t{y} * image.width + x) * 3;
   return {image.rgb.at(at), image.rgb.at(at + 1), image.rgb.at(at + 2)};
 }

@@ -5,21 +5,21 @@
 #include <string>
 #include <vector>
 
-#include "core/scene_file.hpp"
-#include "core/simulator.hpp"
+#include "core/scene/load.hpp"
+#include "core/solver/simulator.hpp"
 #include "cpu/backend.hpp"
 #include "media/recording.hpp"
 
 namespace sluice::test {
 
-inline void add(RecordingWriter& writer, const Moment& moment) {
+inline void add(media::RecordingWriter& writer, const media::Moment& moment) {
   writer.add(moment.report, moment.seconds_per_step, moment.state);
 }
 
 struct Recorded {
   Scene scene;
   Samples samples;
-  std::vector<Moment> moments;
+  std::vector<media::Moment> moments;
 
   /// The start of `name` and so many steps, one frame each; a last frame repeats the step before.
   Recorded(const std::filesystem::path& path, const std::string& name, uint64_t steps,
@@ -27,7 +27,7 @@ struct Recorded {
       : scene(load_scene(name, overrides)), samples(sample(scene)) {
     const auto backend = cpu::make_backend(precision, 1);
     Simulator simulator(scene, samples, *backend);
-    RecordingWriter writer(path, scene, precision, "a test");
+    media::RecordingWriter writer(path, scene, precision, "a test");
     StepReport report;
     report.dt = simulator.dt();
     for (uint64_t k = 0;; ++k) {

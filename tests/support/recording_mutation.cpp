@@ -8,7 +8,7 @@
 #include <memory>
 
 #include "core/error.hpp"
-#include "core/verdict.hpp"
+#include "core/solver/verdict.hpp"
 #include "media/recording_format.hpp"
 #include "tests/support/mutated_files.hpp"
 #include "tests/support/recorded.hpp"
@@ -18,7 +18,7 @@
 namespace sluice::test {
 namespace {
 
-using namespace recording;
+using namespace media;
 
 /// A recording taken apart; frames are unpacked.
 struct Parts {
@@ -29,8 +29,9 @@ struct Parts {
 
 Parts taken_apart(const std::string& bytes) {
   Parts parts;
-  const size_t header = magic.size() + 2 * sizeof(uint32_t);
-  parts.header = bytes.substr(header, read_from<uint32_t>(bytes, magic.size() + sizeof(uint32_t)));
+  const size_t header = media::recording_magic.size() + 2 * sizeof(uint32_t);
+  parts.header =
+      bytes.substr(header, read_from<uint32_t>(bytes, media::recording_magic.size() + sizeof(uint32_t)));
   const auto tail = read_from<Tail>(bytes, bytes.size() - sizeof(Tail));
   for (uint64_t k = 0; k < tail.frames; ++k) {
     const auto entry = read_from<IndexEntry>(bytes, tail.index_offset + k * sizeof(IndexEntry));
@@ -64,7 +65,7 @@ std::string packed(const std::string& plain) {
 
 /// The index as these bytes, or made anew.
 std::string put_together(const Parts& parts, const std::string* index_bytes) {
-  std::string bytes = preamble(kind, parts.header), index;
+  std::string bytes = preamble(media::recording_file_kind, parts.header), index;
   for (size_t k = 0; k < parts.frames.size(); ++k) {
     const std::string block = packed(parts.frames[k]);
     index += bytes_of(IndexEntry{bytes.size(), block.size(), parts.index[k].step, parts.index[k].time});
@@ -103,10 +104,10 @@ std::string mutated_recording(const std::vector<std::string>& files, Dice& dice)
 /// Opens a recording, looks at all of it, and says which number isn't finite. Totals may be so: the last
 /// frame of a run that became invalid has those that made it so.
 std::string read_recording(const std::filesystem::path& path) {
-  const Recording recording(path);
+  const media::Recording recording(path);
   if (const std::string found = not_finite(recording.scene()); !found.empty()) return found;
   for (size_t k = 0; k < recording.frames(); ++k) {
-    const Moment moment = recording.moment(k);
+    const media::Moment moment = recording.moment(k);
     const bool finite = std::isfinite(moment.report.time) && std::isfinite(moment.report.dt) &&
                         std::isfinite(moment.seconds_per_step) && is_finite(moment.state);
     if (!finite) return fmt::format("a number of frame {} is not finite", k);

@@ -8,10 +8,10 @@
 #include <ctime>
 
 #include "core/error.hpp"
-#include "core/memory.hpp"
-#include "core/sampling.hpp"
-#include "core/scene_file.hpp"
-#include "core/shapes.hpp"
+#include "core/scene/load.hpp"
+#include "core/scene/sampling.hpp"
+#include "core/scene/shapes.hpp"
+#include "core/solver/memory.hpp"
 
 namespace sluice::test {
 namespace {

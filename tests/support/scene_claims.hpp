@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/scene.hpp"
+#include "core/scene/scene.hpp"
 
 namespace sluice::test {
 

@@ -2,7 +2,7 @@
 
 #include <numeric>
 
-#include "core/random.hpp"
+#include "core/scene/random.hpp"
 
 namespace sluice::test {
 

@@ -5,7 +5,7 @@
 #include <set>
 #include <vector>
 
-#include "core/scene.hpp"
+#include "core/scene/scene.hpp"
 #include "cpu/stages.hpp"
 
 namespace sluice::test {

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "core/agree.hpp"
-#include "core/sampling.hpp"
-#include "core/scene_file.hpp"
-#include "core/simulator.hpp"
+#include "core/agree/agree.hpp"
+#include "core/scene/load.hpp"
+#include "core/scene/sampling.hpp"
+#include "core/solver/simulator.hpp"
 #include "cpu/backend.hpp"
 
 namespace sluice::test {

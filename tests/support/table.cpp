@@ -10,6 +10,8 @@
 #include "tests/support/run_program.hpp"
 
 namespace sluice::test {
+
+using namespace study;
 namespace {
 
 std::string inline_toml(const nlohmann::ordered_json& value) {
@@ -35,11 +37,11 @@ std::string to_toml(const nlohmann::ordered_json& settings) {
   return text;
 }
 
-Image read_image(const std::filesystem::path& path) {
+draw::Image read_image(const std::filesystem::path& path) {
   int width = 0, height = 0, channels = 0;
   stbi_uc* bytes = stbi_load(path.c_str(), &width, &height, &channels, 3);
   if (bytes == nullptr) throw std::runtime_error("can't read the picture " + path.string());
-  Image image{static_cast<uint32_t>(width), static_cast<uint32_t>(height), {}};
+  draw::Image image{static_cast<uint32_t>(width), static_cast<uint32_t>(height), {}};
   image.rgb.assign(bytes, bytes + size_t{image.width} * image.height * 3);
   stbi_image_free(bytes);
   return image;

@@ -6,10 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "core/image.hpp"
+#include "draw/image.hpp"
 #include "studies/csv_table.hpp"
 
 namespace sluice::test {
+
+using namespace study;
 
 using Table = CsvTable;
 
@@ -23,7 +25,7 @@ nlohmann::ordered_json read_json(const std::filesystem::path& path);
 std::string to_toml(const nlohmann::ordered_json& settings);
 
 /// A picture file; throws when it is not one.
-Image read_image(const std::filesystem::path& path);
+draw::Image read_image(const std::filesystem::path& path);
 
 /// Names of all files and folders in a folder, sorted.
 std::vector<std::string> names_in(const std::filesystem::path& folder);

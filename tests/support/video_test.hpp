@@ -25,8 +25,8 @@ using Colour = std::array<uint8_t, 3>;
 constexpr Colour red{230, 20, 20}, green{20, 200, 40}, blue{20, 40, 230}, grey{237, 237, 237};
 
 /// Four areas of one colour each: top left, top right, bottom left, bottom right.
-inline Image quarters(glm::uvec2 size, const std::array<Colour, 4>& colours) {
-  Image image{size.x, size.y, {}};
+inline draw::Image quarters(glm::uvec2 size, const std::array<Colour, 4>& colours) {
+  draw::Image image{size.x, size.y, {}};
   for (uint32_t y = 0; y < size.y; ++y)
     for (uint32_t x = 0; x < size.x; ++x)
       for (const uint8_t value : colours[(2 * y >= size.y ? 2u : 0u) + (2 * x >= size.x ? 1u : 0u)])

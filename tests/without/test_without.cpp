@@ -3,7 +3,7 @@
 
 #include <fstream>
 
-#include "media/checkpoint.hpp"
+#include "core/output/checkpoint.hpp"
 #include "media/recording.hpp"
 #include "media/window.hpp"
 #include "tests/support/message_of.hpp"
@@ -14,7 +14,7 @@ namespace {
 
 TEST(Without, AWindowSaysHowToGetOne) {
   EXPECT_EQ(message_of([] {
-              Window({100, 100}, "title");
+              media::Window({100, 100}, "title");
             }),
             "this program was built without a window; install libglfw3-dev and build it again with "
             "-DSLUICE_WINDOW=ON, or make a film with `sluice run SCENE --video FILE.mp4`");
@@ -24,11 +24,12 @@ TEST(Without, RecordingsSayHowToGetThem) {
   const std::string message =
       "this program was built without recordings; install libzstd-dev and libxxhash-dev and build it again "
       "with -DSLUICE_RECORDINGS=ON";
-  EXPECT_EQ(message_of([] { RecordingWriter("a.rec", Scene(), Precision::single_, "device"); }), message);
-  EXPECT_EQ(message_of([] { Recording("a.rec"); }), message);
+  EXPECT_EQ(message_of([] { media::RecordingWriter("a.rec", Scene(), Precision::single_, "device"); }),
+            message);
+  EXPECT_EQ(message_of([] { media::Recording("a.rec"); }), message);
   const TemporaryFolder folder;
   { std::ofstream(folder / "a.rec") << "sluice recording and more"; }
-  EXPECT_TRUE(is_recording(folder / "a.rec")) << "or it would be taken for a scene";
+  EXPECT_TRUE(media::is_recording(folder / "a.rec")) << "or it would be taken for a scene";
 }
 
 TEST(Without, CheckpointsSayHowToGetThem) {

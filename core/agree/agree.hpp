@@ -1,0 +1,59 @@
+// Do two backends agree? Every stage from identical input, and a whole run beside the other.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/agree/agreement.hpp"
+#include "core/scene/sampling.hpp"
+#include "core/scene/scene.hpp"
+#include "core/solver/report.hpp"
+
+namespace sluice {
+
+struct StageAgreement {
+  Stage stage = Stage::count;
+  Difference difference;
+  bool pass = false;
+};
+
+struct RunAgreement {
+  uint64_t steps = 0;                  ///< how many both made
+  bool equal = true;                   ///< states after every step, to the last bit
+  uint64_t first_difference_step = 0;  ///< 0: none
+  double max_dx_over_h = 0;            ///< largest distance between two places of a particle, over all steps
+  bool iterations_equal = true;
+  /// Why the reference's run, or the other, became invalid in the last of these steps.
+  std::optional<Failure> reference_failure, other_failure;
+
+  /// Both have to end alike; and be equal, unless there is a tolerance.
+  bool passes(double tolerance) const {
+    const bool ended_alike = reference_failure.has_value() == other_failure.has_value();
+    return ended_alike && (tolerance > 0 || (equal && iterations_equal));
+  }
+};
+
+struct Agreement {
+  std::vector<StageAgreement> stages;
+  RunAgreement run;
+  double tolerance = 0;  ///< of the stages, in units in the last place of a field's largest value
+  bool pass = false;
+};
+
+/// Whether two states are the same to the last bit.
+bool same_bits(const Snapshot& a, const Snapshot& b);
+
+/// The backends that are held against each other.
+struct Contestants {
+  Backend& reference;    ///< runs alone, and compares its stages with
+  Backend& stage_other;  ///< this one, which never runs by itself
+  Backend& run_other;    ///< runs beside the reference
+};
+
+/// Runs `steps` >= 1 steps. Stages are compared in the first step, in the middle and in the last. With
+/// tolerance 0 the runs have to be equal too; otherwise they only have to end alike, since after an impact
+/// the smallest difference grows without bound.
+Agreement agree(const Scene& scene, const Samples& samples, const Contestants& contestants, uint64_t steps,
+                double tolerance);
+
+}  // namespace sluice

@@ -1,0 +1,27 @@
+// Takes the place of checkpoint.cpp and checked_file.cpp in builds without recordings.
+#include "core/error.hpp"
+#include "core/output/checkpoint.hpp"
+
+namespace sluice {
+namespace {
+
+[[noreturn]] void refuse() {
+  throw EnvironmentError(
+      "this program was built without checkpoints; install libzstd-dev and libxxhash-dev and build it again "
+      "with -DSLUICE_RECORDINGS=ON");
+}
+
+}  // namespace
+
+struct CheckpointWriter::State {};
+
+CheckpointWriter::CheckpointWriter(std::filesystem::path, const Scene&, Precision, const std::string&) {
+  refuse();
+}
+CheckpointWriter::~CheckpointWriter() = default;
+CheckpointWriter::CheckpointWriter(CheckpointWriter&&) noexcept = default;
+void CheckpointWriter::write(const SimulationState&, const RunCounts&) {}
+
+Checkpoint read_checkpoint(const std::filesystem::path&) { refuse(); }
+
+}  // namespace sluice

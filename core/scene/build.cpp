@@ -1,0 +1,239 @@
+// The tree's values into the Scene's fields, and the checks across keys.
+#include "core/scene/build.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/scene/check.hpp"
+#include "core/scene/keys.hpp"
+#include "core/scene/read_shapes.hpp"
+
+namespace sluice {
+namespace {
+
+constexpr double max_steps = 9007199254740992.0;  // 2^53, as far as a double counts
+
+uint32_t count(const SceneValue& value) { return static_cast<uint32_t>(value.integer); }
+
+void read_particles(const SceneValue& table, Scene& scene) {
+  const SceneValue& spacing = table.at("spacing");
+  scene.spacing = spacing.number;
+  scene.smoothing = table.at("smoothing").number;
+  scene.rest_density = table.at("rest_density").number;
+  scene.spacing_where = spacing.where;
+  if (!std::isnormal(scene.mass()))
+    throw refusal(blame({&spacing, &table.at("rest_density")}), "particles.spacing",
+                  fmt::format("{}, which makes the mass of a particle {}", describe(spacing), scene.mass()),
+                  "a mass rest_density h² within the range of numbers");
+}
+
+void read_domain(const SceneValue& table, const ShapeReader& reader, const SceneValue& spacing,
+                 Scene& scene) {
+  scene.domain_min = reader.point(table.at("min"), "domain.min");
+  scene.domain_max = reader.point(table.at("max"), "domain.max");
+  Vec2 size = scene.domain_max - scene.domain_min;
+  if (!(size.x > 0 && size.y > 0 && std::isfinite(size.x) && std::isfinite(size.y)))
+    throw refusal(blame({&table.at("max"), &table.at("min"), &spacing}), "domain.max",
+                  describe(scene.domain_max),
+                  fmt::format("more than min {} both ways, by a finite length", describe(scene.domain_min)));
+}
+
+void read_fluid(const SceneValue& table, ShapeReader& reader, Scene& scene) {
+  scene.gravity = numbers(table.at("gravity"));
+  scene.central_force = table.at("central_force").number;
+  scene.centre = reader.point(table.at("centre"), "fluid.centre");
+  scene.jitter = table.at("jitter").number;
+  scene.seed = static_cast<uint64_t>(table.at("seed").integer);
+  scene.relax = count(table.at("relax"));
+  scene.fluid = reader.fluid(table);
+  if (scene.fluid.empty()) {
+    const std::string* where = &table.where;
+    for (const SceneValue::Member& shapes : table.members)  // emptied by --set fluid.rect=[]
+      if (shapes.value.overridden && shapes.value.kind == SceneValue::Kind::array &&
+          shapes.value.items.empty())
+        where = &shapes.value.where;
+    throw refusal(*where, "fluid", "no fluid", "at least one shape, such as [[fluid.rect]]");
+  }
+}
+
+void read_boundary(const SceneValue& table, ShapeReader& reader, Scene& scene) {
+  scene.boundary_model = table.at("model").text == "akinci" ? BoundaryModel::akinci : BoundaryModel::mirror;
+  scene.boundary = reader.boundary(table);
+}
+
+void read_viscosity(const SceneValue& table, Scene& scene) {
+  scene.viscosity_model = table.at("model").text == "xsph" ? ViscosityModel::xsph : ViscosityModel::laplacian;
+  scene.viscosity = table.at("coefficient").number;
+}
+
+void read_iisph(const SceneValue& table, Iisph& iisph) {
+  const SceneValue& least = table.at("min_iterations");
+  const SceneValue& most = table.at("max_iterations");
+  if (least.integer > most.integer) {
+    bool name_least = !least.defaulted && (least.overridden || !most.overridden);
+    std::string key = name_least ? "min_iterations" : "max_iterations";
+    throw refusal(blame({&least, &most}), "pressure.iisph." + key, describe(name_least ? least : most),
+                  name_least ? "at most max_iterations, which is " + describe(most)
+                             : "at least min_iterations, which is " + describe(least));
+  }
+  iisph.tolerance = table.at("tolerance").number;
+  iisph.min_iterations = count(least);
+  iisph.max_iterations = count(most);
+  iisph.omega = table.at("omega").number;
+  iisph.warm_start = table.at("warm_start").number;
+  iisph.source_weight = table.at("source_weight").number;
+  if (table.at("solver").text == "barzilai-borwein") iisph.solver = Solver::barzilai_borwein;
+  if (table.at("wall").text == "symmetric") iisph.wall = Wall::symmetric;
+  if (table.at("stop").text == "residual") iisph.stop = Stop::residual;
+}
+
+void read_pressure(const SceneValue& root, Scene& scene) {
+  const SceneValue& table = root.at("pressure");
+  const SceneValue& method = table.at("method");
+  scene.method = method.text == "ssph"    ? PressureMethod::ssph
+                 : method.text == "wcsph" ? PressureMethod::wcsph
+                                          : PressureMethod::iisph;
+  if (!table.find(method.text))
+    throw refusal(
+        method.overridden ? method.where : table.where, "pressure." + method.text, "nothing",
+        fmt::format("a table [pressure.{}], as pressure.method is {}", method.text, describe(method)));
+  read_iisph(table.at("iisph"), scene.iisph);
+  if (const SceneValue* ssph = table.find("ssph")) scene.ssph = Ssph{ssph->at("stiffness").number};
+  if (const SceneValue* wcsph = table.find("wcsph"))
+    scene.wcsph = Wcsph{wcsph->at("kappa").number, wcsph->at("gamma").number};
+}
+
+void check_time(const SceneValue& root, const SceneValue* method_dt, const std::string& method_key) {
+  const SceneValue& table = root.at("time");
+  const SceneValue *dt = table.find("dt"), *cfl = table.find("cfl");
+  const SceneValue *least = table.find("dt_min"), *most = table.find("dt_max");
+  auto together = [&](const SceneValue& other, const std::string& key) {
+    throw refusal(blame({cfl, &other}), "time.cfl", fmt::format("{} together with {}", describe(*cfl), key),
+                  "one of the two");
+  };
+  if (cfl && dt) together(*dt, "time.dt");
+  if (cfl && method_dt) together(*method_dt, method_key);
+  for (auto [value, key] : {std::pair{least, "time.dt_min"}, std::pair{most, "time.dt_max"}}) {
+    if (cfl && !value)
+      throw refusal(cfl->overridden ? cfl->where : table.where, key, "nothing",
+                    "a number greater than 0, as time.cfl is set");
+    if (!cfl && value)
+      throw refusal(value->where, key, describe(*value) + " without time.cfl", "the two together");
+  }
+  if (cfl && least->number > most->number)
+    throw refusal(blame({least, most}), "time.dt_min", describe(*least),
+                  "at most time.dt_max, which is " + describe(*most));
+  if (!cfl && !dt && !method_dt)
+    throw refusal(table.where, "time.dt", "nothing",
+                  fmt::format("a number greater than 0, here or as {}", method_key));
+}
+
+void read_time(const SceneValue& root, Scene& scene) {
+  const SceneValue& table = root.at("time");
+  const SceneValue& pressure = root.at("pressure");
+  const std::string& method = pressure.at("method").text;
+  const SceneValue* method_dt = pressure.at(method).find("dt");
+  std::string method_key = fmt::format("pressure.{}.dt", method);
+  check_time(root, method_dt, method_key);
+  scene.duration = table.at("duration").number;
+  const SceneValue* dt = method_dt ? method_dt : table.find("dt");
+  if (const SceneValue* cfl = table.find("cfl")) {
+    scene.adaptive = {cfl->number, table.at("dt_min").number, table.at("dt_max").number};
+    dt = table.find("dt_min");
+    scene.dt = scene.adaptive->dt_max;
+  } else {
+    scene.dt = dt->number;
+  }
+  if (!(scene.duration / dt->number <= max_steps))
+    throw refusal(blame({&table.at("duration"), dt}), "time.duration",
+                  fmt::format("{}, which is {:.4g} steps of {}", describe(table.at("duration")),
+                              scene.duration / dt->number, describe(*dt)),
+                  fmt::format("at most {:.0f} steps", max_steps));
+}
+
+void read_output(const SceneValue& table, Scene& scene) {
+  scene.fps = table.at("fps").number;
+  scene.colour = table.at("colour").text == "density"    ? Colour::density
+                 : table.at("colour").text == "pressure" ? Colour::pressure
+                                                         : Colour::speed;
+  if (const SceneValue* size = table.find("size")) {
+    scene.image_size = {count(size->items[0]), count(size->items[1])};
+  } else {
+    Vec2 domain = scene.domain_max - scene.domain_min;
+    Vec2 pixels = glm::max(glm::round(domain * (800 / std::max(domain.x, domain.y))), Vec2(16));
+    scene.image_size = {static_cast<uint32_t>(pixels.x), static_cast<uint32_t>(pixels.y)};
+  }
+}
+
+// ---- settings
+
+nlohmann::ordered_json to_json(const SceneValue& value, KeyType type) {
+  if (value.kind == SceneValue::Kind::array) {
+    auto array = nlohmann::ordered_json::array();
+    for (const SceneValue& item : value.items) array.push_back(to_json(item, type));
+    return array;
+  }
+  if (value.kind == SceneValue::Kind::text) return value.text;
+  bool integer = type == KeyType::integer || type == KeyType::integers;
+  return integer ? nlohmann::ordered_json(value.integer) : nlohmann::ordered_json(value.number);
+}
+
+nlohmann::ordered_json to_json(const SceneValue& table, std::string_view section) {
+  auto json = nlohmann::ordered_json::object();
+  for (const SceneKey& key : scene_keys()) {
+    if (section.empty() || key.section() != section) continue;
+    if (const SceneValue* value = table.find(key.name()))
+      json[std::string(key.name())] = to_json(*value, key.type);
+    if (key.path == "time.dt" || key.path == "output.size")
+      json.emplace(key.name(), nullptr);  // keeps the order
+  }
+  for (const SceneSection& inner : scene_sections()) {
+    if (inner.parent() != section) continue;
+    const SceneValue* value = table.find(inner.name());
+    if (!value) continue;
+    auto& place = json[std::string(inner.name())];
+    if (inner.is_array()) {
+      place = nlohmann::ordered_json::array();
+      for (const SceneValue& item : value->items) place.push_back(to_json(item, inner.path));
+    } else {
+      place = to_json(*value, inner.path);
+    }
+  }
+  return json;
+}
+
+}  // namespace
+
+Scene build_scene(const SceneValue& root, const std::string& name, const std::string& file) {
+  Scene scene;
+  scene.name = name;
+  scene.file = file;
+  scene.title = root.at("scene").at("title").text;
+  scene.source = root.at("scene").at("source").text;
+  read_particles(root.at("particles"), scene);
+  const SceneValue& spacing = root.at("particles").at("spacing");
+  ShapeReader reader(spacing);
+  read_domain(root.at("domain"), reader, spacing, scene);
+  read_fluid(root.at("fluid"), reader, scene);
+  if (const SceneValue* boundary = root.find("boundary")) read_boundary(*boundary, reader, scene);
+  if (const SceneValue* viscosity = root.find("viscosity")) read_viscosity(*viscosity, scene);
+  read_pressure(root, scene);
+  read_time(root, scene);
+  read_output(root.at("output"), scene);
+  scene.settings = scene_settings(root, scene);
+  return scene;
+}
+
+nlohmann::ordered_json scene_settings(const SceneValue& root, const Scene& scene) {
+  nlohmann::ordered_json settings = to_json(root, "");
+  if (scene.adaptive)
+    settings["time"].erase("dt");
+  else
+    settings["time"]["dt"] = scene.dt;
+  settings["output"]["size"] = {scene.image_size.x, scene.image_size.y};
+  return settings;
+}
+
+}  // namespace sluice

@@ -1,0 +1,106 @@
+// Finding and reading scene files.
+#include "core/scene/load.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+
+#include "core/scene/build.hpp"
+#include "core/scene/check.hpp"
+#include "core/scene/overrides.hpp"
+#include "core/scene/tree.hpp"
+
+namespace fs = std::filesystem;
+
+namespace sluice {
+namespace {
+
+constexpr size_t max_file_size = 1 << 20;
+
+std::vector<fs::path> scene_folders() {
+  std::vector<fs::path> folders{SLUICE_SCENE_DIR};
+  std::error_code error;
+  fs::path program = fs::read_symlink("/proc/self/exe", error);
+  if (!error) folders.push_back(program.parent_path().parent_path() / "share/sluice/scenes");
+  return folders;
+}
+
+bool is_file(const fs::path& path) {
+  std::error_code error;
+  return fs::is_regular_file(path, error);
+}
+
+std::string read_file(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string text(max_file_size + 1, '\0');
+  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (!file.is_open() || file.bad())
+    throw InputError(one_line(path + ": found a file that can't be read, expected a scene file"));
+  text.resize(static_cast<size_t>(file.gcount()));
+  if (text.size() > max_file_size)
+    throw InputError(
+        one_line(fmt::format("{}: found more than {} bytes, expected a scene file", path, max_file_size)));
+  return text;
+}
+
+[[noreturn]] void refuse_missing(const std::string& scene) {
+  std::error_code error;
+  if (fs::exists(scene, error))
+    throw InputError(one_line(fmt::format("{}: found a {}, expected a scene file", scene,
+                                          fs::is_directory(scene, error) ? "directory" : "special file")));
+  const std::vector<std::string> names = shipped_scenes();
+  if (names.empty())
+    throw InputError(
+        one_line(fmt::format("{}: found no such file, expected the path of a scene file; the shipped scenes "
+                             "are not where they were built "
+                             "({}) nor beside the program",
+                             scene, SLUICE_SCENE_DIR)));
+  throw InputError(
+      one_line(fmt::format("{}: found no such file, expected the path of a scene file or one of {}", scene,
+                           fmt::join(names, ", "))));
+}
+
+std::string find_scene(const std::string& scene) {
+  if (is_file(scene)) return scene;
+  const bool below = !scene.empty() && scene.front() != '/' && scene.find("..") == scene.npos;
+  if (below)
+    for (const fs::path& folder : scene_folders())
+      if (fs::path file = folder / (scene + ".toml"); is_file(file)) return file.string();
+  refuse_missing(scene);
+}
+
+}  // namespace
+
+Scene load_scene(const std::string& scene, std::span<const std::string> overrides) {
+  std::string file = find_scene(scene);
+  return parse_scene(read_file(file), file, overrides);
+}
+
+Scene parse_scene(std::string_view text, const std::string& file, std::span<const std::string> overrides) {
+  SceneValue root = parse_toml(text, file);
+  apply_overrides(root, overrides);
+  check_scene(root);
+  Scene scene = build_scene(root, fs::path(file).stem().string(), file);
+  scene.text = text;
+  scene.overrides.assign(overrides.begin(), overrides.end());
+  return scene;
+}
+
+std::vector<std::string> shipped_scenes() {
+  std::vector<std::string> names;
+  for (const fs::path& folder : scene_folders()) {
+    std::error_code error;
+    for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
+      if (entry->path().extension() == ".toml" && is_file(entry->path()))
+        names.push_back(entry->path().stem().string());
+  }
+  std::ranges::sort(names);
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  return names;
+}
+
+}  // namespace sluice

@@ -1,0 +1,28 @@
+// Scene files: TOML in, a validated Scene out. The keys are in core/scene_keys.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/error.hpp"
+#include "core/scene/scene.hpp"
+
+namespace sluice {
+
+/// Loads a scene from the file at a path, or by the name of a scene that ships with Sluice. `overrides` are
+/// "KEY=VALUE" texts, applied before anything is checked (core/scene_overrides.hpp).
+/// Throws InputError, with one line that begins "FILE:LINE:COLUMN: key: " for a mistake in the file and
+/// "--set KEY: key: " for one in an override.
+Scene load_scene(const std::string& scene, std::span<const std::string> overrides = {});
+
+/// The same from TOML text; `file` stands in messages, and its stem becomes the scene's name.
+Scene parse_scene(std::string_view text, const std::string& file,
+                  std::span<const std::string> overrides = {});
+
+/// Names of the scenes that ship with Sluice, sorted. They are looked for in the source tree and beside the
+/// installed program (../share/sluice/scenes).
+std::vector<std::string> shipped_scenes();
+
+}  // namespace sluice

@@ -1,0 +1,117 @@
+// TOML text to SceneValue. The one place that includes toml++.
+#include "core/scene/scan.hpp"
+#include "core/scene/tree.hpp"
+
+// The parser reports bad text as an error, but before some of these reports it asserts that they aren't
+// needed: in a debug build "[+" would end the program, and in others a compiler may take the assertion for a
+// fact. So its assertions are switched off in every build.
+// clang-format off
+#pragma push_macro("NDEBUG")
+#undef NDEBUG
+#define TOML_ASSERT(condition) static_assert(true)
+#include <toml++/toml.h>
+#pragma pop_macro("NDEBUG")
+// clang-format on
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <utility>
+
+namespace sluice {
+namespace {
+
+using Locate = std::function<std::string(const toml::source_position&)>;
+
+struct Origin {
+  Locate locate;
+  uint32_t set = 0;
+};
+
+SceneValue convert(const toml::node& node, const Origin& origin) {
+  SceneValue value;
+  toml::source_position begin = node.source().begin;
+  value.where = origin.locate(begin);
+  value.order = {origin.set, begin.line, begin.column};
+  value.overridden = origin.set > 0;
+  using Kind = SceneValue::Kind;
+  if (const toml::table* table = node.as_table()) {
+    for (auto&& [key, child] : *table)
+      value.members.push_back(
+          {unshield(key.str()), origin.locate(key.source().begin), convert(child, origin)});
+    std::ranges::stable_sort(value.members, {}, [](const auto& member) { return member.value.order; });
+  } else if (const toml::array* array = node.as_array()) {
+    value.kind = Kind::array;
+    for (const toml::node& child : *array) value.items.push_back(convert(child, origin));
+  } else if (auto text = node.as_string()) {
+    value.kind = Kind::text;
+    value.text = unshield(text->get());
+  } else if (auto integer = node.as_integer()) {
+    value.kind = Kind::integer;
+    value.integer = integer->get();
+    value.number = static_cast<double>(value.integer);
+  } else if (auto number = node.as_floating_point()) {
+    value.kind = Kind::number;
+    value.number = number->get();
+  } else if (auto boolean = node.as_boolean()) {
+    value.kind = Kind::boolean;
+    value.boolean = boolean->get();
+  } else {
+    value.kind = Kind::date;
+  }
+  return value;
+}
+
+}  // namespace
+
+SceneValue parse_toml(std::string_view text, const std::string& file) {
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // a byte order mark takes no column
+  Locate locate = [name = one_line(file)](const toml::source_position& at) {
+    return fmt::format("{}:{}:{}", name, std::max(at.line, 1u), std::max(at.column, 1u));
+  };
+  if (auto problem = scan_toml(text))
+    throw InputError(fmt::format("{}: {}", locate({problem->line, problem->column}), problem->message));
+  try {
+    SceneValue root = convert(toml::parse(shield(text)), {locate, 0});
+    root.where = locate({1, 1});
+    return root;
+  } catch (const toml::parse_error& error) {
+    throw InputError(
+        one_line(fmt::format("{}: {}", locate(error.source().begin), unshield(error.description()))));
+  }
+}
+
+SceneValue parse_override_value(std::string_view text, const std::string& key, uint32_t number) {
+  std::string where = "--set " + key;
+  Locate locate = [&](const toml::source_position&) { return where; };
+  std::string line = fmt::format("value = {}", text);
+  if (!scan_toml(line)) {
+    try {
+      SceneValue root = convert(toml::parse(shield(line)), {locate, number});
+      if (root.members.size() == 1) return std::move(root.members.front().value);
+    } catch (const toml::parse_error&) {  // a bare string, then
+    }
+  }
+  if (!is_utf8(text))
+    throw InputError(one_line(where + ": found text that is not UTF-8, expected KEY=VALUE in UTF-8"));
+  SceneValue value;
+  value.kind = SceneValue::Kind::text;
+  value.text = text;
+  value.where = where;
+  value.order.set = number;
+  value.overridden = true;
+  return value;
+}
+
+SceneValue parse_default(std::string_view text, const SceneValue& table) {
+  Locate locate = [&](const toml::source_position&) { return table.where; };
+  SceneValue root = convert(toml::parse(fmt::format("value = {}", text)), {locate, 0});
+  SceneValue value = std::move(root.members.front().value);
+  value.order = table.order;
+  value.overridden = false;
+  value.defaulted = true;
+  return value;
+}
+
+}  // namespace sluice

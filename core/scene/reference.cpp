@@ -1,0 +1,180 @@
+// The key table in words: what a message expects, and the reference of scene files as Markdown.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "core/scene/keys.hpp"
+
+namespace sluice {
+namespace {
+
+constexpr std::string_view introduction = R"(# Scene files
+
+A scene is a [TOML](https://toml.io) file. This page lists every table and key it can hold. It is printed by
+`sluice scenes --keys` from the table that also validates scene files; `scenes/template.toml` is an example to
+start from.
+
+- **Units** are the scene's own; the columns below say only how they combine. The scenes from [Hunkler 2022] use
+  pixels and seconds, with a gravity of 9.81 pixels per second squared.
+- **Numbers** are TOML integers or floats and must be finite. An integer must be written without a point.
+- **Lengths** are numbers, or strings of the form `"a"`, `"bh"`, `"a+bh"` or `"a-bh"`, where a and b are numbers
+  and h is the particle spacing: `"240+3h"` is 264 when h is 8. A point is an array of two lengths, x and y; y
+  points up.
+- **`[[...]]`** marks an array of tables: write one such table per shape, in any number. Shapes count in the order
+  of the file, whatever their kind.
+- A key without a default is *required*, or it may be left out when the column is empty.
+- Every table is checked, whether it is used or not. A mistake is reported as
+  `FILE:LINE:COLUMN: key: what was found, what was expected`, and nothing is run.
+- `--set KEY=VALUE` on the command line replaces or adds any key before the check. VALUE is TOML, or else a string
+  without quotes. Arrays are indexed from 0, and the index after the last appends:
+  `--set 'fluid.rect.0.max=[200, "300+3h"]'`. Setting `time.dt` removes `time.cfl`, `time.dt_min`, `time.dt_max` and
+  every method's own `dt`; setting `time.cfl` removes `time.dt` and every method's own `dt`. When both are set, the
+  later one wins.
+
+The works in brackets are listed in `docs/model.md`.
+)";
+
+std::string range_text(const KeyRange& range) {
+  bool low = range.low > -std::numeric_limits<double>::infinity();
+  bool high = range.high < std::numeric_limits<double>::infinity();
+  if (low && high && !range.low_excluded && !range.high_excluded)
+    return fmt::format(" from {} to {}", range.low, range.high);
+  std::string text;
+  if (low) text += fmt::format(" {} {}", range.low_excluded ? "greater than" : "of at least", range.low);
+  if (low && high) text += " and";
+  if (high) text += fmt::format(" {} {}", range.high_excluded ? "less than" : "at most", range.high);
+  return text;
+}
+
+std::string length_text(const KeyRange& range) {
+  return fmt::format("a length{} (a number, \"a\", \"bh\", \"a+bh\" or \"a-bh\", with h the spacing)",
+                     range_text(range));
+}
+
+std::string_view type_name(KeyType type) {
+  switch (type) {
+    case KeyType::text: return "string";
+    case KeyType::number: return "number";
+    case KeyType::integer: return "integer";
+    case KeyType::length: return "length";
+    case KeyType::numbers: return "[number, number]";
+    case KeyType::lengths: return "point";
+    case KeyType::integers: return "[integer, integer]";
+    case KeyType::matrix: return "2 rows of 2 numbers";
+    case KeyType::points: return "3 or more points";
+    case KeyType::choice: return "string";
+    case KeyType::choices: return "strings";
+  }
+  return "";
+}
+
+std::string allowed_text(const SceneKey& key) {
+  std::string text;
+  for (const std::string_view name : key.choices)
+    text += fmt::format("{}`\"{}\"`", text.empty() ? "" : ", ", name);
+  if (key.choices.empty()) text = range_text(key.range);
+  for (std::string_view lead : {" ", "of "})  // " of at least 1" follows a noun elsewhere
+    if (text.starts_with(lead)) text.erase(0, lead.size());
+  return text;
+}
+
+std::string default_text(const SceneKey& key) {
+  if (key.fallback == required_key) return "*required*";
+  return key.fallback.empty() ? "" : fmt::format("`{}`", key.fallback);
+}
+
+std::string section_text(const SceneSection& section) {
+  bool array = section.is_array();
+  std::string_view path = array ? section.path.substr(0, section.path.size() - 2) : section.path;
+  std::string_view presence = section.presence == Presence::required ? "Required. " : "";
+  std::string text = fmt::format("\n## {}{}{}\n\n{}{}\n\n", array ? "[[" : "[", path, array ? "]]" : "]",
+                                 presence, section.meaning);
+  text += "| key | type | unit | default | allowed | meaning |\n|---|---|---|---|---|---|\n";
+  for (const SceneKey& key : scene_keys()) {
+    if (key.section() != section.path) continue;
+    text += fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", key.name(), type_name(key.type), key.unit,
+                        default_text(key), allowed_text(key), key.meaning);
+  }
+  return text;
+}
+
+size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<size_t> row(b.size() + 1);
+  for (size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (size_t i = 1; i <= a.size(); ++i) {
+    size_t diagonal = std::exchange(row[0], i);
+    for (size_t j = 1; j <= b.size(); ++j) {
+      size_t substituted = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = std::exchange(row[j], std::min({row[j] + 1, row[j - 1] + 1, substituted}));
+    }
+  }
+  return row.back();
+}
+
+}  // namespace
+
+std::string join_choices(std::span<const std::string_view> names, std::string_view last_word) {
+  std::string text;
+  for (size_t i = 0; i < names.size(); ++i) {
+    if (i > 0) text += i + 1 == names.size() ? fmt::format(" {} ", last_word) : ", ";
+    text += fmt::format("\"{}\"", names[i]);
+  }
+  return text;
+}
+
+std::string length_expectation() { return length_text({}); }
+
+std::string element_expectation(const SceneKey& key) {
+  switch (key.type) {
+    case KeyType::numbers: return "a number" + range_text(key.range);
+    case KeyType::integers: return "an integer" + range_text(key.range);
+    case KeyType::lengths: return length_text(key.range);
+    case KeyType::matrix: return "an array of two numbers";
+    case KeyType::points: return "an array of two lengths";
+    case KeyType::choices: return join_choices(key.choices);
+    default: return expectation(key);
+  }
+}
+
+std::string expectation(const SceneKey& key) {
+  switch (key.type) {
+    case KeyType::text: return "a string";
+    case KeyType::number: return "a number" + range_text(key.range);
+    case KeyType::integer: return "an integer" + range_text(key.range);
+    case KeyType::length: return length_text(key.range);
+    case KeyType::numbers: return "an array of two numbers";
+    case KeyType::lengths: return "an array of two lengths";
+    case KeyType::integers: return "an array of two integers";
+    case KeyType::matrix: return "two rows of two numbers, [[a, b], [c, d]]";
+    case KeyType::points: return "an array of three or more points [x, y]";
+    case KeyType::choice: return join_choices(key.choices);
+    case KeyType::choices:
+      return fmt::format("an array of one or more of {}, each at most once",
+                         join_choices(key.choices, "and"));
+  }
+  return "";
+}
+
+std::string nearest_key(std::string_view section, std::string_view unknown) {
+  unknown = unknown.substr(0, 100);
+  std::string nearest, elsewhere;
+  size_t least = ~size_t{0};
+  auto consider = [&](std::string_view holder, std::string_view name, std::string_view path) {
+    size_t distance = edit_distance(unknown, name);
+    if (holder == section && distance < least) least = distance, nearest = name;
+    if (distance == 0 && elsewhere.empty()) elsewhere = path;
+  };
+  for (const SceneKey& key : scene_keys()) consider(key.section(), key.name(), key.path);
+  for (const SceneSection& s : scene_sections()) consider(s.parent(), s.name(), s.path);
+  return least > 2 && !elsewhere.empty() ? elsewhere : nearest;
+}
+
+std::string key_reference() {
+  std::string text(introduction);
+  for (const SceneSection& section : scene_sections()) text += section_text(section);
+  return text;
+}
+
+}  // namespace sluice

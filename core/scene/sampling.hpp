@@ -1,0 +1,33 @@
+// Shapes of a scene -> particles and boundary samples.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/scene/scene.hpp"
+
+namespace sluice {
+
+/// Positions in id order: shapes in file order, within a shape rows outer (y) and columns inner (x).
+struct Samples {
+  std::vector<Vec2> fluid;
+  std::vector<uint32_t> fluid_shape;  ///< index into scene.fluid of each particle
+  std::vector<Vec2> boundary;
+  uint64_t boundary_dropped = 0;  ///< boundary samples left out because they lay within h/2 of an earlier one
+};
+
+/// Samples all shapes, checks that no fluid lies within h/2 of a boundary sample or of other fluid, and
+/// applies fluid.jitter. Throws InputError naming both places, or when no fluid comes out.
+Samples sample(const Scene& scene);
+
+/// Upper bounds on the particles and boundary samples of a scene, found without sampling it.
+struct SampleBounds {
+  double fluid = 0, boundary = 0;
+};
+SampleBounds sample_bounds(const Scene& scene);
+
+/// Velocity at the start of the particle at `x` of the given shape: velocity + G (x - centre). The centre is
+/// a disc's centre, the middle of a rect's lattice, a polygon's centre of area.
+Vec2 start_velocity(const FluidShape& shape, double spacing, Vec2 x);
+
+}  // namespace sluice

@@ -1,0 +1,29 @@
+// Limits of a scene that are known before its first step.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/scene/sampling.hpp"
+#include "core/scene/scene.hpp"
+
+namespace sluice {
+
+/// Beyond this alpha XSPH overshoots.
+inline constexpr double largest_alpha = 2;
+
+/// The time step, or the smallest one where it adapts.
+double least_dt(const Scene& scene);
+
+/// The key that the time step of this run comes from; where it adapts, the one that it can't go below.
+std::string dt_key(const Scene& scene);
+
+/// The key of a state equation's stiffness.
+std::string stiffness_key(PressureMethod method);
+
+/// What tends to go wrong and is known before the first step: an explicit viscosity, a state equation, the
+/// pressure of deep fluid or XSPH beyond its limit, sound slower than the fluid, mirror walls of too few
+/// layers.
+std::vector<std::string> beyond_limits(const Scene& scene, const Samples& samples);
+
+}  // namespace sluice

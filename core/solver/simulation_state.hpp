@@ -1,0 +1,31 @@
+// All that a run needs to go on from where another one stopped.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/scene/scene.hpp"
+#include "core/solver/diagnostics.hpp"
+
+namespace sluice {
+
+/// How far a run is. Kept whole in checkpoints, so a change of it is a change of their format.
+struct RunClock {
+  uint64_t steps = 0;
+  uint64_t steps_before = 0;  ///< steps and time before the last change of dt
+  double time_before = 0;
+  double dt = 0;       ///< of the last step
+  double next_dt = 0;  ///< of the next one where steps adapt, unless it is cut short; else 0
+
+  double time() const { return time_before + static_cast<double>(steps - steps_before) * dt; }
+};
+
+/// The particles in id order, as the backend holds them: the bits, and not what they stand for.
+struct SimulationState {
+  RunClock clock;
+  Diagnostics diagnostics;  ///< of the last step
+  std::vector<Vec2> x, v;
+  std::vector<double> density, pressure;  ///< computed during the last step
+};
+
+}  // namespace sluice

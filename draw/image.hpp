@@ -1,0 +1,59 @@
+// A picture in memory and on disk: PNG encoding, and a writer that does it on a second thread, because
+// encoding a picture takes longer than drawing it.
+#pragma once
+
+#include <condition_variable>
+#include <cstdint>
+#include <deque>
+#include <exception>
+#include <filesystem>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace sluice::draw {
+
+/// Three bytes per pixel (red, green, blue), rows without padding, top row first.
+struct Image {
+  uint32_t width = 0;
+  uint32_t height = 0;
+  std::vector<uint8_t> rgb;
+};
+
+/// The bytes of a PNG file. InputError when the picture is empty or beyond a gibibyte.
+std::string encode_png(const Image& image);
+
+/// Encodes and writes pictures on its own thread, in the order given. At most `queue_limit` pictures wait: a
+/// caller that is faster than the disk is held up in write() instead of filling the memory.
+class PngWriter {
+ public:
+  explicit PngWriter(size_t queue_limit = 4);
+  ~PngWriter();  ///< writes what still waits; a failure nobody asked for with finish() is lost
+  PngWriter(const PngWriter&) = delete;
+  PngWriter& operator=(const PngWriter&) = delete;
+
+  /// Throws the failure of an earlier picture, the first there was.
+  void write(std::filesystem::path path, Image image);
+
+  /// Returns when all so far have been written; throws the first failure.
+  void flush();
+
+  /// The same. Nothing may be written afterwards.
+  void finish();
+
+ private:
+  void work();
+  void stop() noexcept;
+
+  const size_t queue_limit_;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::deque<std::pair<std::filesystem::path, Image>> queue_;
+  std::exception_ptr failure_;
+  bool stopping_ = false, writing_ = false;
+  std::thread thread_;  // last, so that everything it uses exists
+};
+
+}  // namespace sluice::draw

@@ -1,0 +1,169 @@
+// --backend, --gl-device and --shader-dir: what runs where, what is said about it, and what is refused.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/output/output_file.hpp"
+#include "gpu/context.hpp"
+#include "tests/support/running_program.hpp"
+#include "tests/support/table.hpp"
+
+namespace sluice::test {
+
+using namespace study;
+namespace {
+
+using Words = std::vector<std::string>;
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+/// A short run with these words more, with these variables more.
+ProgramResult run(const Words& more, const Words& environment = {}) {
+  Words words{"run", "breaking_dam", "--steps", "2", "--threads", "1"};
+  words.insert(words.end(), more.begin(), more.end());
+  RunningProgram program(words, {environment});
+  return program.wait();
+}
+
+const Words no_drivers{"__EGL_VENDOR_LIBRARY_FILENAMES=/nonexistent.json"};
+
+/// Which libraries of OpenGL the program loaded, by what its loader says.
+ProgramResult traced_run(const Words& more) { return run(more, {"LD_DEBUG=files"}); }
+bool loaded_opengl(const ProgramResult& traced) {
+  EXPECT_TRUE(has(traced.err, "file=libfmt")) << "the loader says nothing";
+  return has(traced.err, "file=libEGL") || has(traced.err, "file=libOpenGL") || has(traced.err, "file=libGL");
+}
+
+TEST(CliBackend, TheGpuRunsAndTheSummarySaysSo) {
+  const TemporaryFolder folder;
+  const ProgramResult result = run({"--backend", "gpu", "--summary", folder / "sum.json"});
+  EXPECT_EQ(result.code, 0) << result.err;
+  EXPECT_EQ(result.err, "backend: gpu, " + gpu::Context().renderer() + " (as asked for)\n");
+  const auto summary = read_json(folder / "sum.json");
+  EXPECT_EQ(summary["backend"], "gpu");
+  EXPECT_EQ(summary["device"], gpu::Context().renderer());
+  EXPECT_EQ(summary["precision"], "float");
+  EXPECT_EQ(summary["steps"], 2);
+  for (const auto& [stage, seconds] : summary["seconds"]["stages"].items())
+    EXPECT_GT(seconds.get<double>(), 0) << stage;
+}
+
+TEST(CliBackend, TheGpuOfThisNumberRuns) {
+  const auto devices = gpu::list_devices();
+  for (const gpu::DeviceInfo& device : devices) {
+    const ProgramResult result = run({"--backend", "gpu", "--gl-device", std::to_string(device.index)});
+    EXPECT_EQ(result.code, device.problem.empty() ? 0 : 3) << result.err;
+  }
+  const ProgramResult result = run({"--backend", "gpu", "--gl-device", "99"});
+  EXPECT_EQ(result.code, 2);
+  EXPECT_TRUE(has(result.err, "there is no OpenGL device 99; the devices are\n" + gpu::describe(devices)))
+      << result.err;
+}
+
+TEST(CliBackend, OptionsThatHaveNoEffectAreNamed) {
+  const std::string shaders = (std::filesystem::path(SLUICE_SOURCE_DIR) / "shaders").string();
+  const ProgramResult unused = run({"--backend", "cpu", "--shader-dir", shaders, "--gl-device", "0"});
+  EXPECT_EQ(unused.code, 0);
+  EXPECT_TRUE(has(unused.err, "--shader-dir has no effect") && has(unused.err, "--gl-device has no effect"))
+      << unused.err;
+  const ProgramResult used = run({"--backend", "gpu", "--shader-dir", shaders, "--gl-device", "0"});
+  EXPECT_EQ(used.code, 0);
+  EXPECT_FALSE(has(used.err, "has no effect")) << used.err;
+}
+
+TEST(CliBackend, TheGpuDoesNotComputeInDouble) {
+  const ProgramResult result = run({"--backend", "gpu", "--precision", "double"});
+  EXPECT_EQ(result.code, 2);
+  EXPECT_EQ(result.out, "");
+  EXPECT_TRUE(has(result.err, "--precision double: found it with --backend gpu, expected --backend cpu"))
+      << result.err;
+}
+
+TEST(CliBackend, AutomaticInDoubleIsTheCpuWithoutOpenGl) {
+  const ProgramResult result = traced_run({"--precision", "double"});
+  EXPECT_EQ(result.code, 0);
+  EXPECT_TRUE(has(result.err, "backend: cpu, 1 threads (double runs there)\n"));
+  EXPECT_FALSE(loaded_opengl(result));
+}
+
+TEST(CliBackend, AutomaticTakesGraphicsCardsOnlyAndSaysWhatItTook) {
+  const TemporaryFolder folder;
+  const ProgramResult result = run({"--summary", folder / "sum.json"});
+  EXPECT_EQ(result.code, 0) << result.err;
+  const gpu::Context context;
+  if (context.software()) {
+    EXPECT_EQ(result.err,
+              "backend: cpu, 1 threads (OpenGL is drawn by the processor: " + context.renderer() + ")\n");
+  } else {
+    EXPECT_EQ(result.err, "backend: gpu, " + context.renderer() + " (a graphics card)\n");
+  }
+  EXPECT_EQ(read_json(folder / "sum.json")["backend"], context.software() ? "cpu" : "gpu");
+}
+
+TEST(CliBackend, WithoutOpenGlTheGpuIsRefusedWithWhatToInstall) {
+  const ProgramResult result = run({"--backend", "gpu"}, no_drivers);
+  EXPECT_EQ(result.code, 3);
+  EXPECT_EQ(result.out, "");
+  EXPECT_TRUE(has(result.err, "sluice: no OpenGL 4.3 was found")) << result.err;
+  EXPECT_TRUE(has(result.err, "libgl1-mesa-dri")) << result.err;
+}
+
+TEST(CliBackend, WithoutOpenGlAutomaticIsTheCpuAndSaysWhy) {
+  const TemporaryFolder folder;
+  const ProgramResult result = run({"--summary", folder / "sum.json"}, no_drivers);
+  EXPECT_EQ(result.code, 0) << result.err;
+  EXPECT_TRUE(result.err.starts_with("backend: cpu, 1 threads (no OpenGL 4.3 was found; install"))
+      << result.err;
+  EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+  EXPECT_EQ(read_json(folder / "sum.json")["backend"], "cpu");
+}
+
+TEST(CliBackend, TheCpuWithoutFramesLoadsNothingOfOpenGl) {
+  const ProgramResult cpu = traced_run({"--backend", "cpu"});
+  EXPECT_EQ(cpu.code, 0);
+  EXPECT_FALSE(loaded_opengl(cpu));
+  const ProgramResult gpu = traced_run({"--backend", "gpu"});
+  EXPECT_EQ(gpu.code, 0);
+  EXPECT_TRUE(loaded_opengl(gpu));
+  EXPECT_EQ(run({"--backend", "cpu"}, no_drivers).code, 0);
+}
+
+TEST(CliBackend, ShadersOfTheUsersChangeTheRun) {
+  const TemporaryFolder folder;
+  const auto state = [&](const Words& more) {
+    Words words{"--backend", "gpu", "--quiet", "--state", folder / "state.csv"};
+    words.insert(words.end(), more.begin(), more.end());
+    const ProgramResult result = run(words);
+    EXPECT_EQ(result.code, 0) << result.err;
+    return read_file(folder / "state.csv");
+  };
+  const std::string plain = state({});
+  EXPECT_EQ(state({}), plain);
+  write_file(folder / "external.comp", "void run(uint i) { a_n[i] = vec2(0.0, 1.0); }\n");
+  EXPECT_NE(state({"--shader-dir", folder.path.string()}), plain);
+}
+
+TEST(CliBackend, ShadersThatAreWrongAreBadInput) {
+  const TemporaryFolder folder;
+  const auto refusal = [&] {
+    const ProgramResult result =
+        run({"--backend", "gpu", "--shader-dir", folder.path.string(), "--state", folder / "state.csv"});
+    EXPECT_EQ(result.code, 2);
+    EXPECT_EQ(result.out, "");
+    EXPECT_TRUE(has(result.err, "sluice: --shader-dir: ")) << result.err;
+    EXPECT_FALSE(std::filesystem::exists(folder / "state.csv"));
+    return result.err;
+  };
+  EXPECT_TRUE(has(refusal(), "expected some of those in the folder shaders/"));
+  write_file(folder / "external.comp", "void run(uint i) {\n  a_n[i] = gravity;\n}\n");
+  EXPECT_TRUE(has(refusal(), (folder / "external.comp").string() + ":2: ")) << refusal();
+  write_file(folder / "external.comp",
+             "layout(std430) buffer v_block { vec2 v[]; };\nvoid run(uint i) { a_n[i] = v[i]; }\n");
+  EXPECT_TRUE(has(refusal(), "has the storage block v_block")) << refusal();
+}
+
+}  // namespace
+}  // namespace sluice::test

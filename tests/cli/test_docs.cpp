@@ -1,0 +1,78 @@
+// The pages that describe files and links agree with what is there.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "core/scene/load.hpp"
+#include "tests/support/run_program.hpp"
+
+namespace sluice::test {
+namespace {
+
+const std::filesystem::path source(SLUICE_SOURCE_DIR);
+
+TEST(Docs, EveryColumnAndKeyOfARunIsExplained) {
+  const TemporaryFolder folder;
+  const std::string series = folder / "series.csv", summary = folder / "summary.json",
+                    state = folder / "state.csv";
+  ASSERT_EQ(run_program({"run", "breaking_dam", "--steps", "1", "--series", series, "--summary", summary,
+                         "--state", state})
+                .code,
+            0);
+  const std::string page = read_file(source / "docs" / "output.md");
+  const auto explained = [&](const std::string& name) {
+    EXPECT_NE(page.find('`' + name + '`'), std::string::npos) << name;
+  };
+  for (const std::string& file : {series, state}) {
+    std::istringstream text(read_file(file));
+    std::string header, column;
+    std::getline(text, header);
+    std::istringstream columns(header);
+    while (std::getline(columns, column, ',')) explained(column);
+  }
+  const auto json = nlohmann::json::parse(read_file(summary));
+  for (const auto& [key, value] : json.items()) explained(key);
+}
+
+TEST(Docs, EveryLinkLeadsSomewhere) {
+  const std::regex link(R"(\]\(([^)#]+)(#[^)]*)?\))");
+  int links = 0;
+  for (const char* page : {"README.md", "docs/model.md", "docs/scenes.md", "docs/output.md",
+                           "docs/scene_keys.md", "docs/speed_against_error.md", "docs/benchmarks/cpu.md",
+                           "docs/writing_a_scene.md", "docs/watching.md", "docs/methods.md",
+                           "docs/replicability.md", "docs/pressure_solvers.md", "docs/hard_cases.md"}) {
+    const std::string text = read_file(source / page);
+    for (std::sregex_iterator match(text.begin(), text.end(), link), end; match != end; ++match) {
+      const std::string target = (*match)[1];
+      if (target.starts_with("http")) continue;
+      ++links;
+      EXPECT_TRUE(std::filesystem::exists((source / page).parent_path() / target)) << page << ": " << target;
+    }
+  }
+  EXPECT_GT(links, 20);
+}
+
+TEST(Docs, TheSceneOfTheTutorialParses) {
+  const std::string page = read_file(source / "docs" / "writing_a_scene.md");
+  const std::string fence = "```toml\n";
+  const size_t start = page.find(fence);
+  ASSERT_NE(start, std::string::npos);
+  const size_t end = page.find("```", start + fence.size());
+  ASSERT_NE(end, std::string::npos);
+  const std::string text = page.substr(start + fence.size(), end - start - fence.size());
+  EXPECT_NO_THROW(parse_scene(text, "my.toml"));
+}
+
+TEST(Docs, EveryShippedSceneIsDescribed) {
+  const std::string page = read_file(source / "docs" / "scenes.md");
+  const std::vector<std::string> scenes = shipped_scenes();
+  ASSERT_FALSE(scenes.empty());
+  for (const std::string& name : scenes) EXPECT_NE(page.find('`' + name + '`'), std::string::npos) << name;
+}
+
+}  // namespace
+}  // namespace sluice::test

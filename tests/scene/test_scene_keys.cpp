@@ -1,0 +1,145 @@
+// The key table is sound, the documentation is made from it, and the template scene shows all of it.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <sstream>
+
+#include "core/scene/keys.hpp"
+#include "core/scene/load.hpp"
+#include "core/scene/tree.hpp"
+
+namespace sluice {
+namespace {
+
+std::string read_project_file(const std::string& path) {
+  std::ifstream file(SLUICE_SOURCE_DIR "/" + path, std::ios::binary);
+  EXPECT_TRUE(file.is_open()) << path << " can't be read";
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+TEST(SceneKeys, EveryKeyIsInAKnownSectionOnce) {
+  std::set<std::string_view> sections, keys;
+  for (const SceneSection& section : scene_sections()) {
+    EXPECT_TRUE(section.parent().empty() || sections.contains(section.parent())) << section.path;
+    EXPECT_TRUE(sections.insert(section.path).second) << section.path;
+    EXPECT_FALSE(section.meaning.empty()) << section.path;
+    EXPECT_FALSE(section.is_array() && section.presence != Presence::optional) << section.path;
+  }
+  for (const SceneKey& key : scene_keys()) {
+    EXPECT_TRUE(sections.contains(key.section())) << key.path;
+    EXPECT_TRUE(keys.insert(key.path).second) << key.path;
+    EXPECT_FALSE(key.meaning.empty()) << key.path;
+  }
+  EXPECT_GT(keys.size(), 60u);
+}
+
+TEST(SceneKeys, ChoicesBelongToChoiceKeys) {
+  for (const SceneKey& key : scene_keys()) {
+    bool choice = key.type == KeyType::choice || key.type == KeyType::choices;
+    EXPECT_EQ(choice, !key.choices.empty()) << key.path;
+    EXPECT_EQ(choice, !join_choices(key.choices).empty()) << key.path << " has no choice";
+  }
+}
+
+// A scene without optional keys loads with each default; the same scene with each default written out must
+// too, and mean the same.
+TEST(SceneKeys, DefaultsAreGoodValues) {
+  const std::string text =
+      "[scene]\ntitle = \"a\"\n[particles]\nspacing = 1\nrest_density = 1\n[domain]\nmin = [0, 0]\nmax = [9, "
+      "9]\n"
+      "[fluid]\ngravity = [0, 0]\n[[fluid.rect]]\nmin = [0, 0]\ncount = [1, 1]\n[[fluid.disc]]\ncentre = [5, "
+      "5]\n"
+      "radius = 1\n[[fluid.polygon]]\npoints = [[7, 7], [9, 7], [9, 9]]\n[boundary]\nmodel = \"mirror\"\n"
+      "[[boundary.rect]]\nmin = [0, 0]\ncount = [1, 1]\n[[boundary.container]]\nmin = [0, 0]\nmax = [9, 9]\n"
+      "[[boundary.segment]]\nfrom = [0, 0]\nto = [9, 0]\n[pressure]\nmethod = \"iisph\"\n[pressure.wcsph]\n"
+      "kappa = 1\n[time]\ndt = 1\nduration = 1\n";
+  Scene plain = parse_scene(text, "t.toml");
+  size_t defaults = 0;
+  for (const SceneKey& key : scene_keys()) {
+    if (key.fallback.empty() || key.fallback == required_key) continue;
+    std::string path(key.path);
+    if (size_t array = path.find("[]"); array != path.npos) path.replace(array, 2, ".0");
+    std::vector<std::string> overrides{path + "=" + std::string(key.fallback)};
+    EXPECT_EQ(parse_scene(text, "t.toml", overrides).settings, plain.settings) << overrides[0];
+    ++defaults;
+  }
+  EXPECT_GT(defaults, 20u);
+}
+
+TEST(SceneKeys, TheDocumentIsTheReference) {
+  std::string document = read_project_file("docs/scene_keys.md"), reference = key_reference();
+  if (document == reference) return;
+  auto [written, made] = std::ranges::mismatch(document, reference);
+  auto line = std::count(document.begin(), written, '\n') + 1;
+  FAIL() << "docs/scene_keys.md differs from the key table in line " << line
+         << ". Write it again: build/release/sluice scenes --keys > docs/scene_keys.md";
+}
+
+TEST(SceneKeys, TheReferenceNamesEverySectionAndKey) {
+  std::string reference = key_reference();
+  for (const SceneSection& section : scene_sections()) {
+    std::string path(section.path.substr(0, section.path.find("[]")));
+    std::string header = section.is_array() ? "## [[" + path + "]]\n" : "## [" + path + "]\n";
+    EXPECT_NE(reference.find(header), std::string::npos) << header;
+  }
+  size_t rows = 0;
+  std::istringstream lines(reference);
+  for (std::string line; std::getline(lines, line);) rows += line.starts_with("| `");
+  EXPECT_EQ(rows, scene_keys().size());
+  EXPECT_NE(reference.find("| `omega` | number |  | `0.5` | greater than 0 and less than 2 | "),
+            std::string::npos);
+  EXPECT_NE(reference.find("| `seed` | integer |  | `0` | at least 0 | "), std::string::npos);
+  EXPECT_NE(reference.find("`\"thesis\"`, `\"symmetric\"` |"), std::string::npos);
+}
+
+/// "section key" for every key that a scene file shows, written or commented out.
+std::set<std::string> shown_keys(const std::string& text) {
+  std::set<std::string> shown;
+  std::string section;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with('[')) {
+      bool array = line.starts_with("[[");
+      section = line.substr(array ? 2 : 1, line.find(']') - (array ? 2 : 1)) + (array ? "[]" : "");
+    }
+    if (line.starts_with("# ")) line.erase(0, 2);
+    size_t end = line.find(" = ");
+    if (end != line.npos && line.find(' ') == end) shown.insert(section + "." + line.substr(0, end));
+  }
+  return shown;
+}
+
+TEST(SceneKeys, TheTemplateShowsEveryKey) {
+  const std::set<std::string> shown = shown_keys(read_project_file("scenes/template.toml"));
+  for (const SceneKey& key : scene_keys()) EXPECT_TRUE(shown.contains(std::string(key.path))) << key.path;
+}
+
+TEST(SceneKeys, NearestKey) {
+  EXPECT_EQ(nearest_key("particles", "spaceing"), "spacing");
+  EXPECT_EQ(nearest_key("", "presure"), "pressure");
+  EXPECT_EQ(nearest_key("fluid", "rects"), "rect");
+  EXPECT_EQ(nearest_key("output", "kappa"), "pressure.wcsph.kappa")
+      << "far from all of [output], known elsewhere";
+  EXPECT_EQ(nearest_key("time", std::string(100000, 'q')), "dt") << "and quickly";
+}
+
+TEST(SceneKeys, Expectations) {
+  auto with_range = [](KeyType type, KeyRange range) {
+    return expectation(
+        SceneKey{.path = "a.b", .type = type, .unit = "", .fallback = "", .range = range, .meaning = ""});
+  };
+  EXPECT_EQ(with_range(KeyType::number, {}), "a number");
+  EXPECT_EQ(with_range(KeyType::number, {.low = 0, .low_excluded = true}), "a number greater than 0");
+  EXPECT_EQ(with_range(KeyType::integer, {.high = 7}), "an integer at most 7");
+  EXPECT_EQ(with_range(KeyType::number, {.low = 1, .high = 2}), "a number from 1 to 2");
+  EXPECT_EQ(with_range(KeyType::number, {.low = 1, .high = 2, .high_excluded = true}),
+            "a number of at least 1 and less than 2");
+  constexpr std::string_view choices[]{"a", "c", "d"};
+  EXPECT_EQ(join_choices(choices), "\"a\", \"c\" or \"d\"");
+}
+
+}  // namespace
+}  // namespace sluice
