@@ -65,7 +65,7 @@ Scene make_scene(const CaseKey& key) {
 
 PressureMethod timed_with(Stage stage) {
   for (const PressureMethod method : methods) {
-    const std::vector<Stage> planned = make_plan(needs_of(make_scene({method}))).stages();
+    const std::vector<Stage> planned = make_plan(model_of(make_scene({method}))).stages();
     if (std::find(planned.begin(), planned.end(), stage) != planned.end()) return method;
   }
   throw std::logic_error(fmt::format("{} is in no plan that is timed", info(stage).name));
@@ -93,21 +93,22 @@ void Case::freeze() {
   backend_->swap(Field::id, Field::id_in);
   backend_->swap(Field::p, Field::p_in);
   backend_->swap(Field::rho, Field::rho_in);
-  run(plan().search);
+  run(plan()[Phase::sort]);
+  run(plan()[Phase::search]);
   uint32_t needed = 0;
   backend_->download(Field::list_needed, std::span(&needed, 1));
   if (needed > first_list_size(n(), scene_.smoothing)) {
     throw std::runtime_error(key_.name() +
                              ": the neighbour list is too short, its stages would be timed wrongly");
   }
-  run(plan().forces);
+  run(plan()[Phase::forces]);
   start_solve();
-  run(plan().sweep);
+  run(plan()[Phase::sweep]);
   run({Stage::pressure_acceleration});
 }
 
 void Case::start_solve() {
-  if (!plan().sweep.empty()) backend_->upload(Field::sweeps, std::array<uint32_t, 2>{});
+  if (plan().sweeps()) backend_->upload(Field::sweeps, std::array<uint32_t, 2>{});
 }
 
 void Case::run(const std::vector<Stage>& stages) {

@@ -133,7 +133,7 @@ std::string stage_table_text(const GpuReport& report) {
   std::string text = "\n### Stages, nanoseconds per particle\n\n" + table_head("stage", names(report, true));
   for (size_t i = 0; i < stage_count; ++i) {
     const Stage stage = static_cast<Stage>(i);
-    if (stage == Stage::relax || runs_once(stage)) continue;  // of the start only
+    if (!info(stage).tasks.has(Task::step) || runs_once(stage)) continue;  // of the start only
     const PressureMethod method = timed_with(stage);
     text += compared_row(std::string(info(stage).name), report, Compare::less_is_faster,
                          [&](const SizeTimes& times) {

@@ -65,9 +65,6 @@ StepTimes time_some_steps(Case& subject) {
   const uint32_t steps = steps_per_repetition(subject.key().size);
   const Plan& plan = subject.plan();
   std::array<uint64_t, stage_count> runs{};
-  const auto count = [&](const std::vector<Stage>& stages, uint64_t times) {
-    for (const Stage stage : stages) runs[static_cast<size_t>(stage)] += times;
-  };
   uint64_t sweeps = 0;
   subject.backend().reset_seconds();
   StepTimes times;
@@ -75,14 +72,17 @@ StepTimes time_some_steps(Case& subject) {
                  for (uint32_t i = 0; i < steps; ++i) sweeps += subject.step().iterations;
                }) /
                steps;
-  for (const auto* part : {&plan.search, &plan.forces, &plan.finish}) count(*part, steps);
-  count(plan.sweep, sweeps);
+  for (const PhaseInfo& phase : phase_table) {
+    if (phase.runs == Runs::once) continue;
+    for (const Stage stage : plan[phase.phase])
+      runs[static_cast<size_t>(stage)] += phase.runs == Runs::until_solved ? sweeps : steps;
+  }
   for (size_t i = 0; i < stage_count; ++i) {
     const double seconds = subject.backend().seconds(static_cast<Stage>(i));
     times.in_stages += seconds / steps;
     times.stage[i] = runs[i] > 0 ? seconds / static_cast<double>(runs[i]) : std::nan("");
   }
-  for (const Stage stage : plan.sweep) times.sweep += times.stage[static_cast<size_t>(stage)];
+  for (const Stage stage : plan[Phase::sweep]) times.sweep += times.stage[static_cast<size_t>(stage)];
   return times;
 }
 
@@ -90,7 +90,7 @@ StepTimes time_some_steps(Case& subject) {
 void run_sweeps(Case& subject, uint32_t times) {
   std::array<uint32_t, 2> sweeps{};
   subject.backend().upload(Field::sweeps, sweeps);
-  subject.backend().sweep(subject.plan().sweep, times);
+  subject.backend().sweep(subject.plan()[Phase::sweep], times);
   subject.backend().download(Field::sweeps, sweeps);
   if (sweeps[0] != times) throw std::runtime_error(fmt::format("{} sweeps instead of {}", sweeps[0], times));
 }
@@ -148,7 +148,7 @@ SweepTimes compare_sweeps(uint32_t size, const gpu::Context& context) {
 double sweep_bytes(const Plan& plan, uint64_t n, uint64_t entries) {
   const Sizes sizes{n, 0, 0, entries};
   double bytes = 0;
-  for (const Stage stage : plan.sweep) {
+  for (const Stage stage : plan[Phase::sweep]) {
     for (const FieldSet fields : {reads_of(stage, plan.needs), writes_of(stage, plan.needs)}) {
       for (uint32_t i = 0; i < field_count; ++i) {
         if (!fields.has(static_cast<Field>(i))) continue;

@@ -37,7 +37,7 @@ const std::vector<std::pair<std::string, std::vector<Stage>>> wcsph_parts = {
 void require_all_stages(const std::vector<std::pair<std::string, std::vector<Stage>>>& parts) {
   std::vector<Stage> listed, planned;
   for (const auto& part : parts) listed.insert(listed.end(), part.second.begin(), part.second.end());
-  for (const Stage stage : make_plan(needs_of(make_scene({PressureMethod::wcsph}))).stages()) {
+  for (const Stage stage : make_plan(model_of(make_scene({PressureMethod::wcsph}))).stages()) {
     if (!runs_once(stage)) planned.push_back(stage);
   }
   std::ranges::sort(listed);
@@ -183,7 +183,7 @@ std::string Collector::markdown() const {
       const Stage stage = static_cast<Stage>(i);
       const std::string name(info(stage).name);
       const bool is_grid = std::find(grid_parts.begin(), grid_parts.end(), name) != grid_parts.end();
-      if (is_grid || stage == Stage::relax || runs_once(stage)) continue;
+      if (is_grid || !info(stage).tasks.has(Task::step) || runs_once(stage)) continue;
       page += row_of(name, ns(timed_with(stage), precision, name));
     }
   }

@@ -36,7 +36,7 @@ void time_grid(benchmark::State& state, Case& subject) {
 }  // namespace
 
 void add_stage_benchmarks(const CaseKey& key, const std::shared_ptr<CaseStore>& store) {
-  const Plan plan = make_plan(needs_of(make_scene(key)));
+  const Plan plan = make_plan(model_of(make_scene(key)));
   const bool iisph = key.method == PressureMethod::iisph;
   if (iisph) {
     add(key, "grid", [=](benchmark::State& state) { time_grid(state, store->frozen(key)); });

@@ -24,7 +24,7 @@ void time_step(benchmark::State& state, Case& subject) {
 }
 
 void time_sweep(benchmark::State& state, Case& subject) {
-  const std::vector<Stage>& sweep = subject.plan().sweep;
+  const std::vector<Stage>& sweep = subject.plan()[Phase::sweep];
   subject.preserving(sweep, [&] {
     for (auto _ : state) {
       subject.start_solve();
@@ -37,7 +37,7 @@ void time_sweep(benchmark::State& state, Case& subject) {
 /// Refuses to time a yardstick that computes something else than the backend.
 void time_yardstick(benchmark::State& state, Case& subject) {
   Yardstick yardstick(subject.backend(), subject.params(), subject.samples());
-  const std::vector<Stage>& sweep = subject.plan().sweep;
+  const std::vector<Stage>& sweep = subject.plan()[Phase::sweep];
   subject.preserving(sweep, [&] {
     subject.start_solve();
     subject.run(sweep);

@@ -27,7 +27,7 @@ void resize_to(std::vector<T>& values, uint64_t size) {
 template <class AnyState, class F>
 void visit_field(AnyState& state, Field field, F&& f) {
   switch (field) {
-#define FIELD(name, type, length, unit, meaning) \
+#define FIELD(name, type, length, need, unit, meaning) \
   case Field::name: f(state.name); return;
     SLUICE_FIELDS(FIELD)
 #undef FIELD

@@ -15,8 +15,8 @@ struct StageFunctions {
   void (*pressure_operator)(State<Real>&, Range part);
 };
 
-#define STAGE_OF_SET(name) \
-  template <class Real>    \
+#define STAGE_OF_SET(name, ...) \
+  template <class Real>         \
   void name(State<Real>& state);
 #define PART_OF_SET(name) \
   template <class Real>   \
@@ -38,9 +38,9 @@ SLUICE_PARTWISE_STAGES(PART_OF_SET)
 
 template <class Real>
 const StageFunctions<Real>& stages_for(Instructions instructions) {
-#define BASELINE(name) baseline::name<Real>,
-#define AVX2(name) avx2::name<Real>,
-#define AVX512(name) avx512::name<Real>,
+#define BASELINE(name, ...) baseline::name<Real>,
+#define AVX2(name, ...) avx2::name<Real>,
+#define AVX512(name, ...) avx512::name<Real>,
   static constexpr StageFunctions<Real> functions[] = {
       {{SLUICE_STAGES(BASELINE)}, SLUICE_PARTWISE_STAGES(BASELINE)},
 #ifdef SLUICE_WIDE_SETS

@@ -7,14 +7,14 @@
 
 namespace sluice::cpu::SLUICE_SET {
 
-#define STAGE(name)     \
+#define STAGE(name, ...)     \
   template <class Real> \
   void name(State<Real>& state);
 SLUICE_STAGES(STAGE)
 #undef STAGE
 
 /// Those that can also be run part by part, for the backend to run them side by side.
-#define STAGE(name)     \
+#define STAGE(name, ...)     \
   template <class Real> \
   void name(State<Real>& state, Range part);
 SLUICE_PARTWISE_STAGES(STAGE)

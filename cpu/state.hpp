@@ -65,7 +65,7 @@ struct State {
   /// Entries of the neighbour list that each thread's part needed last, and room to count them anew.
   std::vector<uint64_t> part_needs{}, found_needs{};
 
-#define FIELD(name, type, length, unit, meaning) \
+#define FIELD(name, type, length, need, unit, meaning) \
   std::vector<typename ElementOf<Real, Type::type>::element> name;
   SLUICE_FIELDS(FIELD)
 #undef FIELD

@@ -21,9 +21,9 @@ namespace {
 
 constexpr uint32_t guard_word = 0xffffffff;  // NaN as a float
 
-/// Where in the buffer of sweep groups those of passes over chunks stand, and those of the update, which runs
-/// once more when the solve is over; those of other passes over particles come first.
-constexpr uint32_t groups_of_chunks = 3 * sizeof(uint32_t), groups_of_update = 6 * sizeof(uint32_t);
+/// Numbers of groups in each dimension, and how many such there are in the buffer of sweep groups.
+using GroupNumbers = std::array<uint32_t, 3>;
+constexpr auto sweep_group_kinds = static_cast<size_t>(SweepGroups::count);
 
 /// One texel per component.
 GLenum texel_format(Field field) { return is_integer(field) ? GL_R32UI : GL_R32F; }
@@ -54,7 +54,7 @@ class Implementation final : public GpuBackend {
     GLint most_texels = 0;
     glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most_texels);
     most_texels_ = options.most_texels > 0 ? options.most_texels : static_cast<uint32_t>(most_texels);
-    make_room(context_, sweep_groups_, 9 * sizeof(uint32_t), "sweep groups");
+    make_room(context_, sweep_groups_, sweep_group_kinds * sizeof(GroupNumbers), "sweep groups");
     make_room(context_, unused_, 0, "nothing");
   }
 
@@ -95,6 +95,7 @@ class Implementation final : public GpuBackend {
 
   void configure(const Params& params, const Needs& needs) override {
     context_.make_current();
+    if (needs != needs_) forget_current();
     needs_ = needs;
     const std::vector<std::byte> bytes = params_bytes(params);
     glBindBuffer(GL_UNIFORM_BUFFER, params_.name());
@@ -112,12 +113,13 @@ class Implementation final : public GpuBackend {
     context_.make_current();
     const Groups particles = groups_for(sizes_.fluid, group_size_),
                  chunks = groups_for(sizes_.chunks(), group_size_);
-    const std::array<uint32_t, 9> groups{particles.x, particles.y, 1,           chunks.x, chunks.y,
-                                         1,           particles.x, particles.y, 1};
+    std::array<GroupNumbers, sweep_group_kinds> groups;
+    groups.fill({particles.x, particles.y, 1});
+    groups[static_cast<size_t>(SweepGroups::chunks)] = {chunks.x, chunks.y, 1};
     glBindBuffer(GL_COPY_WRITE_BUFFER, sweep_groups_.name());
     glBufferSubData(GL_COPY_WRITE_BUFFER, 0, sizeof(groups), groups.data());
     for (uint32_t k = 0; k < times; ++k) {
-      for (const Stage stage : stages) run(stage, stage != Stage::stop_test);
+      for (const Stage stage : stages) run(stage, !ends_sweeps(stage));
     }
   }
 
@@ -195,10 +197,11 @@ class Implementation final : public GpuBackend {
     return true;
   }
 
-  /// How shaders read from now on; what was compiled for the other way is dropped.
+  /// How shaders read from now on.
   void use(Loads loads) {
-    if (loads != loads_) programs_.clear();
+    if (loads == loads_) return;
     loads_ = loads;
+    forget_current();
   }
 
   void make_field(Field field) {
@@ -226,17 +229,28 @@ class Implementation final : public GpuBackend {
   void plan_passes() {
     for (uint32_t i = 0; i < stage_count; ++i)
       passes_[i] = passes_of(static_cast<Stage>(i), sizes_, group_size_);
+    forget_current();
   }
 
-  StageProgram& program(Stage stage, const Pass& pass) {
-    uint32_t facts = 0;
-    for (const Fact fact : facts_of(needs_)) facts = 2 * facts + (fact.value ? 1 : 0);
-    const auto key = std::tuple(stage, pass.number, facts);
-    const auto known = programs_.find(key);
-    if (known != programs_.end()) return known->second;
-    StageProgram made(context_, stage,
-                      stage_source(context_.shaders(), stage, needs_, pass, group_size_, loads_));
-    return programs_.emplace(key, std::move(made)).first->second;
+  /// The program of the stage's pass for the needs of now. Needs that make no difference to its text share
+  /// it.
+  StageProgram& program(Stage stage, size_t pass) {
+    const auto s = static_cast<size_t>(stage);
+    StageProgram*& current = current_[s][pass];
+    if (current == nullptr) {
+      const ShaderSource source =
+          stage_source(context_.shaders(), stage, needs_, passes_[s][pass], group_size_, loads_);
+      auto known = programs_.find(source.text);
+      if (known == programs_.end())
+        known = programs_.emplace(source.text, StageProgram(context_, stage, source)).first;
+      current = &known->second;
+    }
+    return *current;
+  }
+
+  /// Programs are looked for anew: needs, passes or ways of loading have changed.
+  void forget_current() {
+    for (uint32_t i = 0; i < stage_count; ++i) current_[i].assign(passes_[i].size(), nullptr);
   }
 
   void bind(const StageProgram& stage_program) const {
@@ -266,8 +280,10 @@ class Implementation final : public GpuBackend {
 
   void run(Stage stage, bool unless_solved) {
     timer_.begin();
-    for (const Pass& pass : passes_[static_cast<uint32_t>(stage)]) {
-      StageProgram& stage_program = program(stage, pass);
+    const std::vector<Pass>& passes = passes_[static_cast<size_t>(stage)];
+    for (size_t k = 0; k < passes.size(); ++k) {
+      const Pass& pass = passes[k];
+      StageProgram& stage_program = program(stage, k);
       ComputeProgram& compute = stage_program.program();
       bind(stage_program);
       compute.set("count", static_cast<uint32_t>(pass.count));
@@ -278,9 +294,8 @@ class Implementation final : public GpuBackend {
       compute.set("fold_to", pass.fold_to);
       compute.set("fold_first", pass.fold_first ? 1u : 0u);
       if (unless_solved)
-        compute.dispatch_indirect(sweep_groups_, pass.over_chunks                  ? groups_of_chunks
-                                                 : stage == Stage::pressure_update ? groups_of_update
-                                                                                   : 0);
+        compute.dispatch_indirect(sweep_groups_,
+                                  static_cast<uint32_t>(sweep_groups_of(stage)) * sizeof(GroupNumbers));
       else
         compute.dispatch(groups_for(pass.count, pass.per_group));
     }
@@ -320,7 +335,8 @@ class Implementation final : public GpuBackend {
   std::array<std::optional<Memory>, field_count> memory_;
   Loads loads_ = Loads::blocks;
   std::array<std::vector<Pass>, stage_count> passes_;
-  std::map<std::tuple<Stage, uint32_t, uint32_t>, StageProgram> programs_;
+  std::map<std::string, StageProgram> programs_;  // by text
+  std::array<std::vector<StageProgram*>, stage_count> current_;
   mutable std::vector<float> staging_;
 };
 

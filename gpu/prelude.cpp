@@ -22,7 +22,7 @@ std::string_view glsl_type(Type type) {
   return "";
 }
 
-std::string constants(const Needs& needs, uint32_t pass, uint32_t group_size) {
+std::string constants(uint32_t pass, uint32_t group_size) {
   std::string text = fmt::format("#define PASS {}\n", pass);
   const auto add = [&](std::string_view name, uint32_t value) {
     text += fmt::format("const uint {} = {}u;\n", name, value);
@@ -33,6 +33,10 @@ std::string constants(const Needs& needs, uint32_t pass, uint32_t group_size) {
   add("scan_width", scan_width);
   add("list_beyond_bounds", list_beyond_bounds);
   add("most_rounds", most_rounds);
+  for (const auto& [name, kind] :
+       {std::pair("particles", SweepGroups::particles), std::pair("chunks", SweepGroups::chunks),
+        std::pair("update", SweepGroups::update)})
+    add(fmt::format("groups_of_{}", name), 3 * static_cast<uint32_t>(kind));
   add("solve_unfinished", static_cast<uint32_t>(Solve::unfinished));
   add("solve_converged", static_cast<uint32_t>(Solve::converged));
   add("solve_capped", static_cast<uint32_t>(Solve::capped));
@@ -44,7 +48,6 @@ std::string constants(const Needs& needs, uint32_t pass, uint32_t group_size) {
     add("residual_" + std::string(residual_sum_names[sum]), sum);
   add("solver_jacobi", static_cast<uint32_t>(Solver::jacobi));
   add("stop_residual", static_cast<uint32_t>(Stop::residual));
-  for (const auto& [name, value] : facts_of(needs)) text += fmt::format("const bool {} = {};\n", name, value);
   return text;
 }
 
@@ -59,18 +62,6 @@ std::string params_declaration() {
 std::string storage(std::string_view block, std::string_view access, std::string_view type,
                     std::string_view name) {
   return fmt::format("layout(std430) restrict {}buffer {} {{ {} {}[]; }};\n", access, block, type, name);
-}
-
-/// Whether the stage's passes hand something on.
-bool has_scratch(Stage stage) {
-  switch (stage) {
-    case Stage::grid_scan:
-    case Stage::grid_order:
-    case Stage::neighbours:
-    case Stage::stop_test:
-    case Stage::totals: return true;
-    default: return false;
-  }
 }
 
 std::string loader(Field field, Loads loads) {
@@ -103,13 +94,6 @@ std::string fields(Stage stage, Loads loads) {
 }
 
 }  // namespace
-
-std::vector<Fact> facts_of(const Needs& needs) {
-  return {{"walls", needs.boundary},
-          {"pseudo_mass", needs.pseudo_mass},
-          {"viscous", needs.laplacian},
-          {"thesis_wall", needs.linear_system && needs.thesis_wall}};
-}
 
 std::string texels_name(Field field) { return std::string(info(field).name) + "_texels"; }
 std::string block_name(Field field) { return std::string(info(field).name) + "_block"; }
@@ -156,15 +140,15 @@ std::vector<std::byte> params_bytes(const Params& params) {
   return bytes;
 }
 
-std::string prelude(Stage stage, const Needs& needs, uint32_t pass, uint32_t group_size, Loads loads) {
+std::string prelude(Stage stage, uint32_t pass, uint32_t group_size, Loads loads) {
   std::string text = "#version 430 core\n";
   text += fmt::format("layout(local_size_x = {}) in;\n", group_size);
-  text += constants(needs, pass, group_size);
+  text += constants(pass, group_size);
   text += params_declaration();
   text += fields(stage, loads);
   text += "#define load(field, i) load_##field(i)\n";
   if (has_scratch(stage)) text += storage(scratch_block, "", "uint", "scratch");
-  if (stage == Stage::stop_test) text += storage(sweep_groups_block, "", "uint", "sweep_groups");
+  if (ends_sweeps(stage)) text += storage(sweep_groups_block, "", "uint", "sweep_groups");
   text += "uniform uint count;  // what this pass runs over\n";
   return text;
 }

@@ -24,22 +24,24 @@ inline constexpr uint32_t scan_width = 64;
 /// by one, with a branch for each, and texels together, about five times as fast.
 enum class Loads { blocks, texels };
 
-/// What shaders know of the scene's models when they are compiled, as constants.
-struct Fact {
-  std::string_view name;
-  bool value;
-};
-std::vector<Fact> facts_of(const Needs& needs);
-
-std::string prelude(Stage stage, const Needs& needs, uint32_t pass, uint32_t group_size, Loads loads);
+std::string prelude(Stage stage, uint32_t pass, uint32_t group_size, Loads loads);
 std::string_view epilogue(Entry entry);
+
+/// Whether the stage has scratch memory, and whether it writes how many groups the stages after it have; both
+/// as gpu/passes.cpp says.
+bool has_scratch(Stage stage);
+bool ends_sweeps(Stage stage);
 
 /// Block of the field in GLSL: "x_block"; the array in it has the field's name.
 std::string block_name(Field field);
 /// The field as an image: "x_texels".
 std::string texels_name(Field field);
-/// Storage blocks that are no fields: memory for the passes of one stage, and the numbers of groups that the
-/// next sweep runs in each dimension, over particles, over chunks, and of the update.
+/// Numbers of groups in each dimension that stages of a sweep have: those over particles, those over chunks,
+/// and the update, which runs once more when the solve is over.
+enum class SweepGroups : uint32_t { particles, chunks, update, count };
+
+/// Storage blocks that are no fields: memory for the passes of one stage, and the numbers of groups of the
+/// sweeps to come, as SweepGroups.
 inline constexpr std::string_view scratch_block = "scratch_block", sweep_groups_block = "sweep_groups_block";
 
 /// The parameters as the uniform block "params_block" holds them, by the rules of std140.

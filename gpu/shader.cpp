@@ -178,6 +178,24 @@ ShaderSource ShaderLibrary::load(std::string_view name, std::string_view prelude
   return source;
 }
 
+std::string with_places(const ShaderSource& source) {
+  constexpr std::string_view directive = "#line ";
+  std::istringstream lines(source.text);
+  std::string text;
+  for (std::string line; std::getline(lines, line);) {
+    std::string_view rest = line;
+    std::optional<uint32_t> number;
+    if (rest.starts_with(directive)) {
+      rest.remove_prefix(directive.size());
+      number = take_number(rest);
+    }
+    text += number ? fmt::format("// {}:{}", source.files[*number / lines_per_file], *number % lines_per_file)
+                   : line;
+    text += '\n';
+  }
+  return text;
+}
+
 std::string with_file_names(std::string_view log, const std::vector<std::string>& files) {
   std::string text;
   while (!log.empty()) {

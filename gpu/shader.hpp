@@ -45,6 +45,9 @@ class ShaderLibrary {
 [[noreturn]] void refuse_shader(bool overridden, const std::string& message);
 
 /// A driver's message with "FILE:LINE" in place of the numbers that it knows.
+/// The text with places, "// FILE:LINE", instead of what tells the compiler of them.
+std::string with_places(const ShaderSource& source);
+
 std::string with_file_names(std::string_view log, const std::vector<std::string>& files);
 
 /// A compiled shader; needed only until its program is linked.

@@ -1,4 +1,4 @@
-// Passes by stage, and the contract between shaders and tables.
+// The contract between shaders and tables.
 #include "gpu/stage_program.hpp"
 
 #include <epoxy/gl.h>
@@ -10,53 +10,6 @@
 
 namespace sluice::gpu {
 namespace {
-
-uint64_t groups_of(uint64_t count, uint64_t per_group) { return (count + per_group - 1) / per_group; }
-
-Pass each_invocation(uint32_t number, uint64_t count, uint32_t group_size) {
-  Pass pass;
-  pass.number = number;
-  pass.count = count;
-  pass.per_group = group_size;
-  return pass;
-}
-
-Pass each_chunk(uint32_t number, const Sizes& sizes, uint32_t group_size) {
-  Pass pass = each_invocation(number, sizes.chunks(), group_size);
-  pass.over_chunks = true;
-  return pass;
-}
-
-Pass one_group(uint32_t number, uint64_t count) {
-  Pass pass;
-  pass.number = number;
-  pass.entry = Entry::group;
-  pass.count = count;
-  pass.per_group = count;
-  return pass;
-}
-
-/// `arrays` folds of `length` values each, level by level, the last one by `last_count` invocations.
-std::vector<Pass> fold_passes(uint64_t length, uint64_t arrays, uint64_t last_count, uint32_t group_size) {
-  std::vector<Pass> passes;
-  uint64_t from = 0, to = 0;
-  const uint64_t half = arrays * groups_of(length, chunk_width);  // two halves of scratch, used in turns
-  const auto add = [&](Pass pass) {
-    pass.fold_length = static_cast<uint32_t>(length);
-    pass.fold_from = static_cast<uint32_t>(from);
-    pass.fold_to = static_cast<uint32_t>(to);
-    pass.fold_first = passes.empty();
-    passes.push_back(pass);
-  };
-  while (length > chunk_width) {
-    add(each_invocation(0, arrays * groups_of(length, chunk_width), group_size));
-    length = groups_of(length, chunk_width);
-    from = to;
-    to = half - to;
-  }
-  add(each_invocation(1, last_count, group_size));
-  return passes;
-}
 
 uint32_t gl_type(Type type) {
   switch (type) {
@@ -79,41 +32,30 @@ Field field_named(const std::string& name, std::string (*name_of)(Field)) {
 
 }  // namespace
 
-std::vector<Pass> passes_of(Stage stage, const Sizes& sizes, uint32_t group_size) {
-  const uint64_t n = sizes.fluid, cells = sizes.of(Length::cells);
-  switch (stage) {
-    case Stage::grid_count: return {each_invocation(0, cells, group_size), each_invocation(1, n, group_size)};
-    case Stage::grid_scan: {
-      const uint64_t runs = groups_of(cells, scan_width);
-      return {each_invocation(0, runs, group_size), one_group(1, runs), each_invocation(2, runs, group_size)};
-    }
-    case Stage::grid_order: return {each_invocation(0, n, group_size), each_invocation(1, n, group_size)};
-    case Stage::neighbours:
-      return {each_invocation(0, n, group_size), each_invocation(1, groups_of(n, slice_width), group_size),
-              each_invocation(2, n, group_size)};
-    case Stage::residual:
-    case Stage::diagnostics: return {each_chunk(0, sizes, group_size)};
-    case Stage::stop_test: return fold_passes(sizes.chunks(), residual_sum_count, 1, group_size);
-    case Stage::totals: return fold_passes(sizes.chunks(), total_count, total_count, group_size);
-    default: return {each_invocation(0, sizes.of(info(stage).range), group_size)};
-  }
-}
-
-uint64_t most_cells(uint32_t group_size) {
-  const uint64_t runs_per_invocation = (most_rounds - group_size) / 2;  // it walks over them twice
-  return runs_per_invocation * group_size * scan_width - 1;
-}
-
-uint64_t scratch_size(const Sizes& sizes) {
-  const uint64_t scan = groups_of(sizes.of(Length::cells), scan_width);
-  const uint64_t folds = 2 * total_count * groups_of(sizes.chunks(), chunk_width);
-  return std::max({sizes.fluid, scan, folds, uint64_t{1}});
-}
-
 ShaderSource stage_source(const ShaderLibrary& shaders, Stage stage, const Needs& needs, const Pass& pass,
                           uint32_t group_size, Loads loads) {
-  return shaders.load(std::string(info(stage).name) + ".comp",
-                      prelude(stage, needs, pass.number, group_size, loads), epilogue(pass.entry));
+  const std::string name = std::string(info(stage).name) + ".comp";
+  std::string start = prelude(stage, pass.number, group_size, loads);
+  const std::string text = shaders.load(name).text;
+  for (const NeedInfo& row : need_table) {
+    const std::string constant = fmt::format("needs_{}", row.name);
+    if (text.find(constant) != std::string::npos)
+      start += fmt::format("const bool {} = {};\n", constant, needs.*row.need);
+  }
+  return shaders.load(name, start, epilogue(pass.entry));
+}
+
+std::string stage_listing(const ShaderLibrary& shaders, Stage stage, const Needs& needs) {
+  constexpr uint32_t group_size = 64;
+  // So many chunks that a reduction has all its kinds of passes, each of which is listed once.
+  const std::vector<Pass> passes = passes_of(stage, {.fluid = 2 * chunk_width * chunk_width}, group_size);
+  std::string text;
+  for (size_t k = 0; k < passes.size(); ++k) {
+    if (k > 0 && passes[k].number == passes[k - 1].number) continue;
+    text += fmt::format("// ---- {}, pass {}\n", info(stage).name, passes[k].number) +
+            with_places(stage_source(shaders, stage, needs, passes[k], group_size, Loads::blocks));
+  }
+  return text;
 }
 
 StageProgram::StageProgram(const Context& context, Stage stage, const ShaderSource& source)

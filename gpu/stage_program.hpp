@@ -7,30 +7,10 @@
 #include "core/model/params.hpp"
 #include "core/model/stages.hpp"
 #include "gpu/compute_program.hpp"
+#include "gpu/passes.hpp"
 #include "gpu/prelude.hpp"
 
 namespace sluice::gpu {
-
-/// What a stage does in how many dispatches. `number` is PASS in the shader.
-struct Pass {
-  uint32_t number = 0;
-  Entry entry = Entry::invocation;
-  uint64_t count = 0;        ///< invocations, or what `count` means to groups
-  uint64_t per_group = 0;    ///< of `count`, how much one group takes
-  bool over_chunks = false;  ///< runs over chunks of particles instead of particles
-  // Of reductions only: one level of the tree (shaders/lib/fold.glsl).
-  uint32_t fold_length = 0, fold_from = 0, fold_to = 0;
-  bool fold_first = true;
-};
-
-std::vector<Pass> passes_of(Stage stage, const Sizes& sizes, uint32_t group_size);
-
-/// Cells that grid_scan can sum up: one group scans the sums of runs of cells, in loops that some drivers end
-/// after so many rounds.
-uint64_t most_cells(uint32_t group_size);
-
-/// Elements of scratch memory that the passes of all stages need.
-uint64_t scratch_size(const Sizes& sizes);
 
 /// A block of a stage's shader: a field's, or one of the two that are none.
 struct BoundBlock {
@@ -38,9 +18,14 @@ struct BoundBlock {
   Field field = Field::count;
 };
 
-/// The whole text of one pass of a stage.
+/// The whole text of one pass of a stage. Needs that it asks for are constants, needs_NAME; scenes that
+/// differ in others have the same text.
 ShaderSource stage_source(const ShaderLibrary& shaders, Stage stage, const Needs& needs, const Pass& pass,
                           uint32_t group_size, Loads loads);
+
+/// The text of every pass of a stage, for people: as it is compiled where shaders read from blocks, in groups
+/// of 64.
+std::string stage_listing(const ShaderLibrary& shaders, Stage stage, const Needs& needs);
 
 class StageProgram {
  public:

@@ -23,11 +23,11 @@ void run(uint i) {
       if (!(r_squared < params.support_squared)) continue;
       precise float r = sqrt(r_squared);
       vec2 dW = kernel_gradient(x_ib, r);
-      float mass = pseudo_mass ? load(Psi, b) : 1.0;  // in units of params.wall_mass
+      float mass = needs_pseudo_mass ? load(Psi, b) : 1.0;  // in units of params.wall_mass
       W += mass * kernel(r);
       gradient += mass * dW;
       squares += dot_of(dW, dW);
-      if (viscous) {
+      if (needs_wall_viscosity) {
         precise vec2 y = (mass * x_ib) / (r_squared + params.viscosity_floor);
         tensor += vec4(dW.x * y.x, dW.x * y.y, dW.y * y.x, dW.y * y.y);
       }
@@ -39,6 +39,6 @@ void run(uint i) {
   tensor *= params.wall_mass;
   wall_density[i] = W;
   wall_gradient[i] = gradient;
-  if (thesis_wall) wall_gradient_squares[i] = squares;
-  if (viscous) wall_viscosity[i] = tensor;
+  if (needs_thesis_wall) wall_gradient_squares[i] = squares;
+  if (needs_wall_viscosity) wall_viscosity[i] = tensor;
 }

@@ -38,6 +38,6 @@ void run(uint i) {
     sum += kernel(r);
   }
   if (coincides) part(i, x_i);
-  sum = params.m * sum + (walls ? load(wall_density, i) : 0.0);
+  sum = params.m * sum + (needs_boundary ? load(wall_density, i) : 0.0);
   rho[i] = sum;
 }

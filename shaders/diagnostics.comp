@@ -23,7 +23,7 @@ void run(uint chunk) {
     compression += above;
     speed_squared += square;
     position += x_i;
-    if (walls) {
+    if (needs_boundary) {
       wall_force += (params.m * wall_pressure_term(load(q, i), rho_i)) * load(wall_gradient, i);
     }
     lost += is_lost(x_i) ? 1.0 : 0.0;

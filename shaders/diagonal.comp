@@ -16,8 +16,8 @@ void run(uint i) {
   }
   sum = params.m * sum;
   squares = params.m * params.m * squares;
-  if (walls) sum += load(wall_gradient, i);
-  if (walls && thesis_wall) squares += load(wall_gradient_squares, i);
+  if (needs_boundary) sum += load(wall_gradient, i);
+  if (needs_thesis_wall) squares += load(wall_gradient_squares, i);
   precise float diagonal = -(params.dt * params.dt) * (dot_of(sum, sum) + squares);
   A_ii[i] = diagonal;
 }

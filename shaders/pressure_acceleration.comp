@@ -15,6 +15,6 @@ void run(uint i) {
     sum += (q_i + load(q, load(index, entry))) * gradient_of(entry);
   }
   sum = -(params.m * sum);
-  if (walls) sum -= wall_pressure_term(q_i, load(rho, i)) * load(wall_gradient, i);
+  if (needs_boundary) sum -= wall_pressure_term(q_i, load(rho, i)) * load(wall_gradient, i);
   a_p[i] = sum;
 }

@@ -12,7 +12,7 @@ void run(uint i) {
     sum += dot_of(a_ij, gradient_of(entry));
   }
   sum = params.m * sum;
-  if (walls) sum += dot_of(a_i, load(wall_gradient, i));
+  if (needs_boundary) sum += dot_of(a_i, load(wall_gradient, i));
   sum = (params.dt * params.dt) * sum;
   Ap[i] = sum;
 }

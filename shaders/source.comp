@@ -12,7 +12,7 @@ void run(uint i) {
     sum += dot_of(v_ij, gradient_of(entry));
   }
   sum = params.m * sum;
-  if (walls) sum += dot_of(v_i, load(wall_gradient, i));
+  if (needs_boundary) sum += dot_of(v_i, load(wall_gradient, i));
   precise float right_hand_side = params.source_weight * (params.rho0 - load(rho, i)) - params.dt * sum;
   s[i] = right_hand_side;
 }

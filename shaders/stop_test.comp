@@ -25,9 +25,9 @@ void run(uint i) {
   fold_into_scratch(i, false);
 #else
   if (sweeps[0].y != solve_unfinished) {
-    sweep_groups[0] = 0u;
-    sweep_groups[3] = 0u;
-    sweep_groups[6] = 0u;  // of the update: the last one has run
+    sweep_groups[groups_of_particles] = 0u;
+    sweep_groups[groups_of_chunks] = 0u;
+    sweep_groups[groups_of_update] = 0u;  // the last one has run
     return;
   }
   precise float squares = fold_group(residual_squares, 0u, false),
@@ -59,8 +59,8 @@ void run(uint i) {
   float t = goes_on ? step_length(before) : params.omega;
   solve[0] = vec4(e, smallest, t, far_off ? 0.0 : goes_back ? -1.0 : 1.0);
   if (state != solve_unfinished) {
-    sweep_groups[0] = 0u;  // of passes over particles but the update
-    sweep_groups[3] = 0u;  // of passes over chunks
+    sweep_groups[groups_of_particles] = 0u;  // but the update goes on
+    sweep_groups[groups_of_chunks] = 0u;
   }
 #endif
 }

@@ -18,7 +18,7 @@ void run(uint i) {
     sum += weight * gradient_of(entry);
   }
   sum = params.m * sum;
-  if (walls) {
+  if (needs_boundary) {
     vec4 t = load(wall_viscosity, i);
     sum += vec2(t.x * v_i.x + t.y * v_i.y, t.z * v_i.x + t.w * v_i.y) / load(rho, i);
   }

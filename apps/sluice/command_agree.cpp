@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "apps/sluice/agree_text.hpp"
 #include "apps/sluice/commands.hpp"
 #include "apps/sluice/machine.hpp"
 #include "core/agree/agree.hpp"
@@ -16,32 +17,6 @@
 
 namespace sluice::app {
 namespace {
-
-/// Units in the last place of a field's largest value that a graphics card may be off by: its divisions and
-/// roots are not exactly rounded, and sums of a dozen such terms cancel in part.
-constexpr double hardware_tolerance = 32;
-
-Stage stage_named(const std::string& name, const Plan& plan) {
-  std::string known;
-  for (const Stage stage : plan.stages()) {
-    if (info(stage).name == name) return stage;
-    if (known.find(info(stage).name) == std::string::npos) known += fmt::format(" {}", info(stage).name);
-  }
-  throw InputError(
-      fmt::format("--split: found \"{}\", expected a stage of this scene's plan:{}", name, known));
-}
-
-std::string value_text(const Difference::Place& place, double value) {
-  return is_integer(place.field) ? fmt::format("{:.0f}", value) : fmt::format("{:.9g}", value);
-}
-
-std::string first_text(const Difference& difference) {
-  if (difference.all_zero) return "(all zero)";
-  if (!difference.first) return "";
-  const auto& place = *difference.first;
-  return fmt::format("{}[{}]: {} and {}", info(place.field).name, place.index,
-                     value_text(place, place.reference), value_text(place, place.other));
-}
 
 void print_end(const std::string& whose, const std::optional<Failure>& failure) {
   if (failure) fmt::print("{} became invalid in step {}: {}\n", whose, failure->step, failure->reason);
@@ -60,13 +35,7 @@ std::string culprits(const Agreement& agreement) {
 void print(const Agreement& agreement, const std::string& title, const std::string& reference,
            const std::string& other, uint64_t steps) {
   fmt::print("{}: {} and {}\n\n", title, reference, other);
-  fmt::print("{:<24}{:>12}{:>12}{:>10}  {:<5} {}\n", "stage, same input", "largest diff", "in ulp", "equal",
-             "", "first difference: CPU and GPU");
-  for (const StageAgreement& row : agreement.stages) {
-    fmt::print("{:<24}{:>12.3g}{:>12.3g}{:>9.4g}%  {:<5} {}\n", info(row.stage).name, row.difference.max_abs,
-               row.difference.max_ulp, 100 * row.difference.equal_share(), row.pass ? "ok" : "FAIL",
-               first_text(row.difference));
-  }
+  fmt::print("{}", table_of(agreement.stages));
   const RunAgreement& run = agreement.run;
   fmt::print("\nrun of {} steps{}: ", run.steps,
              run.steps < steps ? fmt::format(", {} were asked for", steps) : "");
@@ -79,10 +48,7 @@ void print(const Agreement& agreement, const std::string& title, const std::stri
   fmt::print("; iterations {}\n", run.iterations_equal ? "equal" : "differ");
   print_end("the CPU's", run.reference_failure);
   print_end("the GPU's", run.other_failure);
-  fmt::print("tolerance: {}\n{}\n",
-             agreement.tolerance > 0
-                 ? fmt::format("{:g} ulp of a field's largest value per stage", agreement.tolerance)
-                 : "none, every bit counts",
+  fmt::print("tolerance: {}\n{}\n", tolerance_text(agreement.tolerance),
              agreement.pass ? "they agree" : "THEY DISAGREE: " + culprits(agreement));
 }
 
@@ -116,11 +82,12 @@ nlohmann::ordered_json to_json(const Agreement& agreement, const std::string& sc
 }  // namespace
 
 int agree_command(const AgreeOptions& options) {
+  if (options.stage) return agree_stage_command(options);
   media::refuse_recording(options.scene);
   refuse_checkpoint(options.scene);
   const Scene scene = load_scene(options.scene, options.overrides);
-  const Plan plan = make_plan(needs_of(scene));
-  const Stage split = options.split ? stage_named(*options.split, plan) : Stage::count;
+  const Plan plan = make_plan(model_of(scene));
+  const Stage split = options.split ? stage_named("--split", *options.split, plan) : Stage::count;
   require_memory(scene, Precision::single_, available_memory(), options.split ? 6 : 5);
   const Samples samples = sample(scene);
   MachineOptions gpu_machine = options.machine;
@@ -135,7 +102,7 @@ int agree_command(const AgreeOptions& options) {
   const auto first_half = cpu::make_backend(Precision::single_, threads);
   SplitBackend halves(*first_half, *other, split);
   Backend& run_other = options.split ? static_cast<Backend&>(halves) : *other;
-  const double tolerance = machine.context().software() ? 0 : hardware_tolerance;
+  const double tolerance = tolerance_on(machine.context());
   const Agreement agreement =
       agree(scene, samples, {*reference, machine.backend(), run_other}, options.steps, tolerance);
 

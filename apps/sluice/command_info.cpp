@@ -1,6 +1,7 @@
 // `sluice info`: what this machine offers; with a scene, its counts, memory and plan.
 #include <fmt/format.h>
 
+#include "apps/sluice/agree_text.hpp"
 #include "apps/sluice/commands.hpp"
 #include "core/error.hpp"
 #include "core/model/plan.hpp"
@@ -12,6 +13,7 @@
 #include "core/text.hpp"
 #include "cpu/backend.hpp"
 #include "gpu/context.hpp"
+#include "gpu/stage_program.hpp"
 #include "media/recording.hpp"
 
 namespace sluice::app {
@@ -61,14 +63,15 @@ void print_scene(const std::string& name, const std::vector<std::string>& overri
     fmt::print("memory in {}: {:.0f} bytes per fluid particle, about {} in all\n", name_of(precision),
                need.per_particle, bytes_text(need.bytes));
   }
-  const Plan plan = make_plan(needs_of(scene));
-  if (!plan.once.empty()) fmt::print("before the first step:\n");
-  print_stages("boundary", plan.once);
+  const Plan plan = make_plan(model_of(scene));
+  for (const PhaseInfo& phase : phase_table) {
+    if (phase.runs == Runs::once)
+      print_stages(fmt::format("{}:\n  boundary", phase.title), plan[phase.phase]);
+  }
   fmt::print("one step:\n");
-  print_stages("search and density", plan.search);
-  print_stages("forces", plan.forces);
-  print_stages("sweep, repeated until the pressure has converged", plan.sweep);
-  print_stages("finish", plan.finish);
+  for (const PhaseInfo& phase : phase_table) {
+    if (phase.runs != Runs::once) print_stages(phase.title, plan[phase.phase]);
+  }
 }
 
 }  // namespace
@@ -78,6 +81,17 @@ int info_command(const std::optional<std::string>& scene, const std::vector<std:
     print_scene(*scene, overrides);
   else
     print_machine();
+  return 0;
+}
+
+int shader_command(const std::string& name, const std::vector<std::string>& overrides,
+                   const std::string& stage) {
+  media::refuse_recording(name);
+  refuse_checkpoint(name);
+  const Scene scene = load_scene(name, overrides);
+  const Plan plan = make_plan(model_of(scene));
+  fmt::print("{}",
+             gpu::stage_listing(gpu::ShaderLibrary(), stage_named("--shader", stage, plan), plan.needs));
   return 0;
 }
 

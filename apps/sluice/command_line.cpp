@@ -252,7 +252,17 @@ void declare_agree_options(CLI::App& app, AgreeOptions& options) {
          "--split", options.split,
          "Run each step on the CPU up to this stage and on the GPU after it, instead of all on the GPU")
       ->type_name("STAGE");
-  add_path(app, "--summary", options.summary, "Write the table as JSON")->type_name("FILE.json");
+  auto* summary =
+      add_path(app, "--summary", options.summary, "Write the table as JSON")->type_name("FILE.json");
+  auto* stage = app.add_option("--stage", options.stage, "Compare this stage alone, in every step")
+                    ->type_name("STAGE")
+                    ->excludes("--split")
+                    ->excludes(summary);
+  app.add_option("--dump", options.dump,
+                 "Print what both have in these fields after the last run of the stage, as CSV")
+      ->delimiter(',')
+      ->type_name("FIELD,...")
+      ->needs(stage);
 }
 
 void declare_run_options(CLI::App& app, RunOptions& options) {
@@ -348,6 +358,10 @@ int run_command_line(int argc, char** argv) {
   std::vector<std::string> changes;
   declare_overrides(*information, changes);
   information->get_option("--set")->needs(shown);
+  std::optional<std::string> shader;
+  information->add_option("--shader", shader, "Print the GLSL of this stage as it is compiled for the scene")
+      ->type_name("STAGE")
+      ->needs(shown);
 
   PlayOptions playing;
   auto* play = app.add_subcommand("play", "Watch a scene or a recording in a window");
@@ -380,7 +394,7 @@ int run_command_line(int argc, char** argv) {
   if (agree->parsed()) return agree_command(comparison);
   if (study->parsed()) return study_command(studying);
   if (scenes->parsed()) return scenes_command(keys);
-  return info_command(scene, changes);
+  return shader ? shader_command(*scene, changes, *shader) : info_command(scene, changes);
 }
 
 }  // namespace sluice::app

@@ -15,6 +15,9 @@ int play_command(const PlayOptions& options);
 int export_command(const ExportOptions& options);
 int study_command(const StudyOptions& options);
 int scenes_command(bool keys);
+int agree_stage_command(const AgreeOptions& options);
+int shader_command(const std::string& scene, const std::vector<std::string>& overrides,
+                   const std::string& stage);
 int info_command(const std::optional<std::string>& scene, const std::vector<std::string>& overrides);
 
 }  // namespace sluice::app

@@ -70,6 +70,8 @@ struct AgreeOptions {
   MachineOptions machine;  ///< backend and precision are given: gpu in float
   uint64_t steps = 200;
   std::optional<std::string> split;
+  std::optional<std::string> stage;  ///< the only one to compare
+  std::vector<std::string> dump;     ///< fields whose values it prints
   std::optional<std::filesystem::path> summary;
 };
 

@@ -68,4 +68,15 @@ Agreement agree(const Scene& scene, const Samples& samples, const Contestants& c
   return result;
 }
 
+StageTrial try_stage(const Scene& scene, const Samples& samples, Backend& reference, Backend& other,
+                     Stage stage, FieldSet fields, uint64_t steps, double tolerance) {
+  ComparingBackend comparing(reference, other);
+  comparing.watch(stage, fields);
+  Simulator simulator(scene, samples, comparing);
+  comparing.compare_from_now_on(true);
+  while (simulator.steps() < steps && !simulator.failure()) simulator.step();
+  const Difference& difference = comparing.difference(stage);
+  return {{stage, difference, difference.within(tolerance)}, simulator.steps(), comparing.watched()};
+}
+
 }  // namespace sluice

@@ -56,4 +56,16 @@ struct Contestants {
 Agreement agree(const Scene& scene, const Samples& samples, const Contestants& contestants, uint64_t steps,
                 double tolerance);
 
+/// One stage held against itself on another backend.
+struct StageTrial {
+  StageAgreement agreement;
+  uint64_t steps = 0;                ///< in which it was compared
+  std::vector<WatchedField> fields;  ///< as they were then
+};
+
+/// Runs `steps` >= 1 steps on `reference` and in each of them `stage` on `other` too, from the same input.
+/// The values of `fields` are those of the last step, or of the last sweep in it.
+StageTrial try_stage(const Scene& scene, const Samples& samples, Backend& reference, Backend& other,
+                     Stage stage, FieldSet fields, uint64_t steps, double tolerance);
+
 }  // namespace sluice

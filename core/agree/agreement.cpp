@@ -27,6 +27,14 @@ Difference compare_lists(const NeighbourLists& a, const NeighbourLists& b, Field
   return compare(a.gradient, b.gradient, field);
 }
 
+/// The field's values for people: those of the list as the particles have them, wherever the slices stand.
+FieldValues shown_values(const Backend& backend, Field field, const Sizes& sizes) {
+  if (!list_fields.has(field)) return values_of(backend, field, sizes);
+  const NeighbourLists lists = lists_of(backend, sizes);
+  if (field == Field::gradient) return {lists.gradient, {}};
+  return {{}, field == Field::list ? lists.lengths : lists.index};
+}
+
 /// Until grid_order has run, the order of L within a cell is left to chance.
 void sort_within_cells(std::vector<uint32_t>& L, const Backend& backend, const Sizes& sizes) {
   const std::vector<uint32_t> C = values_of(backend, Field::C, sizes).integers;
@@ -100,12 +108,25 @@ void ComparingBackend::configure(const Params& params, const Needs& needs) {
 }
 
 void ComparingBackend::run(Stage stage) {
-  const bool compare = comparing_ || runs_once(stage);
+  const bool compare = compares(stage);
   if (compare) give_input(stage);
   active_->run(stage);
   if (!compare) return;
   other_.run(stage);
   found_[static_cast<uint32_t>(stage)].add(compare_output(stage));
+  if (stage == watched_) keep_watched();
+}
+
+bool ComparingBackend::compares(Stage stage) const {
+  return (comparing_ || runs_once(stage)) && (watched_ == Stage::count || watched_ == stage);
+}
+
+void ComparingBackend::keep_watched() {
+  watched_values_.clear();
+  for_each_field(watched_fields_, [&](Field field) {
+    watched_values_.push_back(
+        {field, shown_values(*active_, field, sizes_), shown_values(other_, field, sizes_)});
+  });
 }
 
 void ComparingBackend::give_input(Stage stage) {

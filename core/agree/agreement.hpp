@@ -26,6 +26,12 @@ struct NeighbourLists {
 };
 NeighbourLists lists_of(const Backend& backend, const Sizes& sizes);
 
+/// A field as two backends have it; those of the neighbour list particle by particle.
+struct WatchedField {
+  Field field;
+  FieldValues reference, other;
+};
+
 /// A backend on which nothing but forwarding happens.
 class ForwardingBackend : public Backend {
  public:
@@ -58,6 +64,13 @@ class ComparingBackend final : public ForwardingBackend {
   ComparingBackend(Backend& reference, Backend& other) : ForwardingBackend(reference), other_(other) {}
 
   void compare_from_now_on(bool on) { comparing_ = on; }
+  /// Only `stage` is compared, and what the two backends then have in `fields` is kept.
+  void watch(Stage stage, FieldSet fields) {
+    watched_ = stage;
+    watched_fields_ = fields;
+  }
+  /// The watched fields when the stage was compared last.
+  const std::vector<WatchedField>& watched() const { return watched_values_; }
   /// What was found so far, by stage; no values where a stage was never compared.
   const Difference& difference(Stage stage) const { return found_[static_cast<uint32_t>(stage)]; }
 
@@ -67,13 +80,18 @@ class ComparingBackend final : public ForwardingBackend {
   void run(Stage stage) override;
 
  private:
+  bool compares(Stage stage) const;
   void give_input(Stage stage);
+  void keep_watched();
   Difference compare_output(Stage stage) const;
 
   Backend& other_;
   Sizes sizes_;
   Needs needs_;
   bool comparing_ = false;
+  Stage watched_ = Stage::count;  ///< count: all are compared
+  FieldSet watched_fields_;
+  std::vector<WatchedField> watched_values_;
   std::array<Difference, stage_count> found_;
 };
 

@@ -8,6 +8,8 @@
 #include <cstdint>
 #include <string_view>
 
+#include "core/model/needs.hpp"
+
 namespace sluice {
 
 /// Particles per slice of the neighbour list, and per partial sum of a reduction.
@@ -19,7 +21,7 @@ inline constexpr uint32_t chunk_width = 64;
 inline constexpr uint32_t list_beyond_bounds = 0xffffffff;
 
 /// What a field's length follows.
-enum class Length { one, fluid, cells, boundary, list, gradients, residual, diagnostics, totals };
+enum class Length { one, fluid, chunks, cells, boundary, list, gradients, residual, diagnostics, totals };
 
 enum class Type { real, vec2, vec4, uint, uvec2 };
 
@@ -71,52 +73,56 @@ inline constexpr std::array<std::string_view, total_count> total_names = {
 inline constexpr uint32_t first_max_total = static_cast<uint32_t>(Total::max_compression);
 
 // clang-format off
-/// FIELD(name, type, length, unit, meaning)
-#define SLUICE_FIELDS(FIELD)                                                                                              \
-  FIELD(id_in, uint, fluid, "1", "id of each particle at the start of the step")                                          \
-  FIELD(x_in, vec2, fluid, "length", "position; integration writes it for the next step")                                 \
-  FIELD(v_in, vec2, fluid, "length/time", "velocity; integration writes it for the next step")                            \
-  FIELD(p_in, real, fluid, "density velocity^2", "pressure of the last step, in its order")                               \
-  FIELD(rho_in, real, fluid, "density", "density of the last step, in its order")                                         \
-  FIELD(cell, uint, fluid, "1", "grid cell of each particle of the in fields")                                            \
-  FIELD(C, uint, cells, "1", "first place of each cell in L, and n at the end")                                           \
-  FIELD(L, uint, fluid, "1", "index into the in fields, by cell and then by id")                                          \
-  FIELD(id, uint, fluid, "1", "id")                                                                                       \
-  FIELD(x, vec2, fluid, "length", "position at the start of the step")                                                    \
-  FIELD(v, vec2, fluid, "length/time", "velocity at the start of the step")                                               \
-  FIELD(p, real, fluid, "density velocity^2", "pressure")                                                                 \
-  FIELD(rho, real, fluid, "density", "density")                                                                           \
-  FIELD(list, uvec2, fluid, "1", "first entry and number of entries of the particle's neighbour list")                    \
-  FIELD(index, uint, list, "1", "neighbour j of each entry")                                                              \
-  FIELD(gradient, real, gradients, "1/length^3", "kernel gradient of each entry: a slice's x components, then its y")     \
-  FIELD(list_needed, uint, one, "1", "entries the neighbour list needs; more than there are: it is not complete")         \
-  FIELD(C_boundary, uint, cells, "1", "first boundary sample of each cell, and their number at the end")                  \
-  FIELD(x_boundary, vec2, boundary, "length", "position of each boundary sample, sorted by cell")                         \
-  FIELD(Psi, real, boundary, "mass", "pseudo-mass of each boundary sample")                                               \
-  FIELD(wall_density, real, fluid, "density", "sum_b m_b W_ib, with m_b the mass of a sample: m or Psi_b")                \
-  FIELD(wall_gradient, vec2, fluid, "density/length", "B_i = sum_b m_b dW_ib")                                            \
-  FIELD(wall_gradient_squares, real, fluid, "density^2/length^2", "sum_b |m dW_ib|^2")                                    \
-  FIELD(wall_viscosity, vec4, fluid, "density/length^2", "sum_b m_b dW_ib x_ib^T / (x_ib.x_ib + 0.01 H^2), by rows")      \
-  FIELD(a_n, vec2, fluid, "length/time^2", "non-pressure acceleration")                                                   \
-  FIELD(v_star, vec2, fluid, "length/time", "velocity without pressure, v*")                                              \
-  FIELD(A_ii, real, fluid, "density^2/velocity^2", "diagonal of the pressure system in q")                                \
-  FIELD(s, real, fluid, "density", "source of the pressure system")                                                       \
-  FIELD(q, real, fluid, "velocity^2/density", "p / rho^2")                                                                \
-  FIELD(a_p, vec2, fluid, "length/time^2", "pressure acceleration")                                                       \
-  FIELD(Ap, real, fluid, "density", "operator applied to p")                                                              \
-  FIELD(q_best, real, fluid, "velocity^2/density", "the q of this solve whose error e is the smallest so far")             \
-  FIELD(q_before, real, fluid, "velocity^2/density", "q before the last update")                                          \
-  FIELD(Ap_before, real, fluid, "density", "operator applied to that")                                                    \
-  FIELD(residual_sums, real, residual, "mixed", "per chunk: the entries of ResidualSum")                                  \
-  FIELD(solve, vec4, one, "mixed", "e of the sweep; the smallest e so far; step t of the update; what it starts from: "   \
-        "1 the last q, 0 nothing, -1 the best q, which it leaves as it is")                                               \
-  FIELD(sweeps, uvec2, one, "1", "sweeps of this solve, and what has become of it: a Solve")                              \
-  FIELD(diagnostic_sums, real, diagnostics, "mixed", "per chunk: the entries of Total")                                   \
-  FIELD(totals, real, totals,      "mixed", "the entries of Total over all chunks")
+/// FIELD(name, type, length, need, unit, meaning). `need` says which scenes have the field.
+#define SLUICE_FIELDS(FIELD) \
+  FIELD(id_in, uint, fluid, always, "1", "id of each particle at the start of the step")                             \
+  FIELD(x_in, vec2, fluid, always, "length", "position; integration writes it for the next step")                    \
+  FIELD(v_in, vec2, fluid, always, "length/time", "velocity; integration writes it for the next step")               \
+  FIELD(p_in, real, fluid, always, "density velocity^2", "pressure of the last step, in its order")                  \
+  FIELD(rho_in, real, fluid, always, "density", "density of the last step, in its order")                            \
+  FIELD(cell, uint, fluid, always, "1", "grid cell of each particle of the in fields")                               \
+  FIELD(C, uint, cells, always, "1", "first place of each cell in L, and n at the end")                              \
+  FIELD(L, uint, fluid, always, "1", "index into the in fields, by cell and then by id")                             \
+  FIELD(id, uint, fluid, always, "1", "id")                                                                          \
+  FIELD(x, vec2, fluid, always, "length", "position at the start of the step")                                       \
+  FIELD(v, vec2, fluid, always, "length/time", "velocity at the start of the step")                                  \
+  FIELD(p, real, fluid, always, "density velocity^2", "pressure")                                                    \
+  FIELD(rho, real, fluid, always, "density", "density")                                                              \
+  FIELD(list, uvec2, fluid, always, "1", "first entry and number of entries of the particle's neighbour list")       \
+  FIELD(index, uint, list, always, "1", "neighbour j of each entry")                                                 \
+  FIELD(gradient, real, gradients, always, "1/length^3", "kernel gradient of each entry: a slice's x "               \
+        "components, then its y")                                                                                    \
+  FIELD(list_needed, uint, one, always, "1", "entries the neighbour list needs; more than there are: it is not "     \
+        "complete")                                                                                                  \
+  FIELD(C_boundary, uint, cells, boundary, "1", "first boundary sample of each cell, and their number at the end")   \
+  FIELD(x_boundary, vec2, boundary, boundary, "length", "position of each boundary sample, sorted by cell")          \
+  FIELD(Psi, real, boundary, pseudo_mass, "mass", "pseudo-mass of each boundary sample")                             \
+  FIELD(wall_density, real, fluid, boundary, "density", "sum_b m_b W_ib, with m_b the mass of a sample: m or Psi_b") \
+  FIELD(wall_gradient, vec2, fluid, boundary, "density/length", "B_i = sum_b m_b dW_ib")                             \
+  FIELD(wall_gradient_squares, real, fluid, thesis_wall, "density^2/length^2", "sum_b |m dW_ib|^2")                  \
+  FIELD(wall_viscosity, vec4, fluid, wall_viscosity, "density/length^2", "sum_b m_b dW_ib x_ib^T / (x_ib.x_ib + "    \
+        "0.01 H^2), by rows")                                                                                        \
+  FIELD(a_n, vec2, fluid, always, "length/time^2", "non-pressure acceleration")                                      \
+  FIELD(v_star, vec2, fluid, always, "length/time", "velocity without pressure, v*")                                 \
+  FIELD(A_ii, real, fluid, linear_system, "density^2/velocity^2", "diagonal of the pressure system in q")            \
+  FIELD(s, real, fluid, linear_system, "density", "source of the pressure system")                                   \
+  FIELD(q, real, fluid, always, "velocity^2/density", "p / rho^2")                                                   \
+  FIELD(a_p, vec2, fluid, always, "length/time^2", "pressure acceleration")                                          \
+  FIELD(Ap, real, fluid, linear_system, "density", "operator applied to p")                                          \
+  FIELD(q_best, real, fluid, linear_system, "velocity^2/density", "the q of this solve whose error e is the "        \
+        "smallest so far")                                                                                           \
+  FIELD(q_before, real, fluid, barzilai_borwein, "velocity^2/density", "q before the last update")                   \
+  FIELD(Ap_before, real, fluid, barzilai_borwein, "density", "operator applied to that")                             \
+  FIELD(residual_sums, real, residual, linear_system, "mixed", "per chunk: the entries of ResidualSum")              \
+  FIELD(solve, vec4, one, linear_system, "mixed", "e of the sweep; the smallest e so far; step t of the update; "    \
+        "what it starts from: 1 the last q, 0 nothing, -1 the best q, which it leaves as it is")                     \
+  FIELD(sweeps, uvec2, one, linear_system, "1", "sweeps of this solve, and what has become of it: a Solve")          \
+  FIELD(diagnostic_sums, real, diagnostics, always, "mixed", "per chunk: the entries of Total")                      \
+  FIELD(totals, real, totals, always, "mixed", "the entries of Total over all chunks")
 // clang-format on
 
 enum class Field : uint8_t {
-#define FIELD(name, type, length, unit, meaning) name,
+#define FIELD(name, type, length, need, unit, meaning) name,
   SLUICE_FIELDS(FIELD)
 #undef FIELD
       count
@@ -127,11 +133,13 @@ struct FieldInfo {
   std::string_view name;
   Type type;
   Length length;
+  Need need;  ///< of the scenes that have it
   std::string_view unit, meaning;
 };
 
 inline constexpr std::array<FieldInfo, field_count> field_table = {{
-#define FIELD(name, type, length, unit, meaning) {#name, Type::type, Length::length, unit, meaning},
+#define FIELD(name, type, length, need, unit, meaning) \
+  {#name, Type::type, Length::length, &Needs::need, unit, meaning},
     SLUICE_FIELDS(FIELD)
 #undef FIELD
 }};
@@ -165,6 +173,7 @@ struct Sizes {
     switch (length) {
       case Length::one: return 1;
       case Length::fluid: return fluid;
+      case Length::chunks: return chunks();
       case Length::cells: return cells + 1;
       case Length::boundary: return boundary;
       case Length::list: return list;

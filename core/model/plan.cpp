@@ -1,35 +1,22 @@
-// Puts the needed stages in order.
+// Puts the needed stages into their phases, in the order of the table.
 #include "core/model/plan.hpp"
 
 namespace sluice {
-namespace {
 
-using enum Stage;
-
-std::vector<Stage> needed(const Needs& needs, std::initializer_list<Stage> stages) {
-  std::vector<Stage> kept;
-  for (const Stage stage : stages) {
-    if (info(stage).needed(needs)) kept.push_back(stage);
-  }
-  return kept;
-}
-
-Plan plan_with(const Needs& needs, std::initializer_list<Stage> finish) {
+Plan make_plan(const Model& model, Task task) {
   Plan plan;
-  plan.needs = needs;
-  plan.once = needed(needs, {pseudo_mass});
-  plan.search = needed(needs, {grid_count, grid_scan, grid_scatter, grid_order, reorder, neighbours, boundary,
-                               density, clamp_density});
-  plan.forces =
-      needed(needs, {external, viscosity, xsph, predict, state_equation, tait, diagonal, source, warm_start});
-  if (needs.linear_system) {
-    plan.sweep = {pressure_acceleration, pressure_operator, residual, stop_test, pressure_update};
+  plan.needs = needs_of(task == Task::relaxation ? model.relaxing() : model);
+  for (uint32_t s = 0; s < stage_count; ++s) {
+    const Stage stage = static_cast<Stage>(s);
+    const StageInfo& row = info(stage);
+    if (!row.tasks.has(task) || !(plan.needs.*row.need)) continue;
+    for (const PhaseInfo& phase : phase_table) {
+      if (row.phases.has(phase.phase) && plan.needs.*phase.need)
+        plan.phases[static_cast<uint32_t>(phase.phase)].push_back(stage);
+    }
   }
-  plan.finish = needed(needs, finish);
   return plan;
 }
-
-}  // namespace
 
 FieldSet Plan::fields() const {
   // What the simulator itself hands from step to step, whatever the stages are.
@@ -39,25 +26,9 @@ FieldSet Plan::fields() const {
 }
 
 std::vector<Stage> Plan::stages() const {
-  std::vector<Stage> all = once;
-  for (const auto* part : {&search, &forces, &sweep, &finish})
-    all.insert(all.end(), part->begin(), part->end());
+  std::vector<Stage> all;
+  for (const auto& phase : phases) all.insert(all.end(), phase.begin(), phase.end());
   return all;
-}
-
-Plan make_plan(const Needs& needs) {
-  return plan_with(needs, {pressure, pressure_acceleration, integrate, diagnostics, totals});
-}
-
-Plan make_relax_plan(const Needs& needs) {
-  Needs relaxing = needs;
-  relaxing.laplacian = false;
-  relaxing.xsph = false;
-  relaxing.state_equation = false;
-  relaxing.tait = false;
-  relaxing.linear_system = true;
-  relaxing.relaxation = true;
-  return plan_with(relaxing, {pressure, pressure_acceleration, relax});
 }
 
 }  // namespace sluice

@@ -13,7 +13,7 @@ namespace {
 
 double sweep_seconds(const RunSummary& summary) {
   double seconds = 0;
-  for (const Stage stage : summary.simulator.plan().sweep) seconds += summary.backend.seconds(stage);
+  for (const Stage stage : summary.simulator.plan()[Phase::sweep]) seconds += summary.backend.seconds(stage);
   return seconds;
 }
 
@@ -96,7 +96,7 @@ std::string to_text(const RunSummary& summary) {
   std::string text = fmt::format("{}: {} steps of {}, {:g} simulated{} in {:.3g} s, {} + {} particles\n",
                                  scene.title, statistics.steps(), title_of(scene.method), simulator.time(),
                                  last, seconds, samples.fluid.size(), samples.boundary.size());
-  if (!simulator.plan().sweep.empty()) {
+  if (simulator.plan().sweeps()) {
     text +=
         fmt::format("iterations {:.2f} on average, {} at most; {} steps did not converge\n",
                     statistics.iterations_mean(), statistics.iterations_max(), statistics.not_converged());

@@ -49,12 +49,13 @@ MemoryNeed memory_need(const Scene& scene, Precision precision) {
   const uint64_t fluid = capped(bounds.fluid);
   const Sizes sizes{fluid, capped(bounds.boundary), capped(cells.x * cells.y),
                     first_list_size(fluid, scene.smoothing)};
-  const Plan plan = make_plan(needs_of(scene));
+  const Model model = model_of(scene);
+  const Plan plan = make_plan(model);
   MemoryNeed need;
   need.fluid = bounds.fluid;
   need.boundary = bounds.boundary;
   need.bytes = bytes_of(plan, sizes);
-  if (plan.needs.relaxation) need.bytes = std::max(need.bytes, bytes_of(make_relax_plan(plan.needs), sizes));
+  if (scene.relax > 0) need.bytes = std::max(need.bytes, bytes_of(make_plan(model, Task::relaxation), sizes));
   need.bytes += (bounds.fluid + bounds.boundary) * host_bytes_per_particle;
   constexpr uint64_t many = 1'000'000;
   need.per_particle = bytes_of(plan, {many, 0, 0, first_list_size(many, scene.smoothing)}) / double(many);

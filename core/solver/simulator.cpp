@@ -76,7 +76,7 @@ Simulator::Simulator(const Scene& scene, const Samples& samples, Backend& backen
       samples_(samples),
       backend_(backend),
       params_(make_params(scene, static_cast<uint32_t>(samples.fluid.size()))),
-      plan_(make_plan(needs_of(scene))) {
+      plan_(make_plan(model_of(scene))) {
   sizes_.fluid = samples.fluid.size();
   sizes_.boundary = samples.boundary.size();
   sizes_.cells = uint64_t{params_.columns} * params_.rows;
@@ -94,9 +94,10 @@ void Simulator::start(const std::vector<Vec2>& x) {
   upload_state(x, v);
   refuse_beyond_range();
   begin_step();
+  run(plan_[Phase::sort]);
   List list = List::fits;
   do {
-    run(plan_.search);
+    run(plan_[Phase::search]);
     list = judge_list();
   } while (list == List::longer_now);
   if (list == List::beyond_bounds) {
@@ -134,7 +135,7 @@ void Simulator::refuse_beyond_range() const {
 }
 
 std::vector<Vec2> Simulator::relaxed_positions(const std::vector<Vec2>& x) {
-  const Plan plan = make_relax_plan(plan_.needs);
+  const Plan plan = make_plan(model_of(scene_), Task::relaxation);
   set_up(plan, make_relax_params(params_, scene_));
   upload_state(x, std::vector<Vec2>(x.size()));
   for (uint32_t round = 0; round < scene_.relax; ++round) {
@@ -164,7 +165,7 @@ void Simulator::set_up(const Plan& plan, const Params& params) {
     backend_.upload(Field::C_boundary, boundary.C);
     backend_.upload(Field::x_boundary, flat(boundary.x));
   }
-  run(plan.once);
+  run(plan[Phase::once]);
 }
 
 /// Fields are zero after allocation, pressure and density too.
@@ -192,19 +193,18 @@ void Simulator::run(std::span<const Stage> stages) {
 /// state, which integration leaves alone. So is a step that moved a particle too far, with a shorter dt.
 bool Simulator::run_step(const Plan& plan, StepReport& report) {
   begin_step();
-  const auto neighbours = std::find(plan.search.begin(), plan.search.end(), Stage::neighbours);
-  run({plan.search.begin(), neighbours});
+  run(plan[Phase::sort]);
   List list = List::longer_now;
   do {
-    if (list == List::longer_now) run({neighbours, plan.search.end()});
-    run(plan.forces);
-    solve_pressure(plan, report);
-    run(plan.finish);
+    if (list == List::longer_now) run(plan[Phase::search]);
+    run(plan[Phase::forces]);
+    if (plan.sweeps()) solve_pressure(plan[Phase::sweep], report);
+    run(plan[Phase::finish]);
     list = judge_list();
     if (list == List::beyond_bounds) return false;
   } while (list == List::longer_now || moved_too_far(report));
   // Not before the step stands: a solve with a list that was too short means nothing.
-  if (!plan.sweep.empty()) first_look_ = std::min(report.iterations, most_sweeps_unseen);
+  if (plan.sweeps()) first_look_ = std::min(report.iterations, most_sweeps_unseen);
   return true;
 }
 
@@ -234,13 +234,12 @@ Simulator::List Simulator::judge_list() {
 }
 
 /// The IISPH loop [Hunkler 2022, algorithm 6]; when it ends is decided by the stage `stop_test`.
-void Simulator::solve_pressure(const Plan& plan, StepReport& report) {
-  if (plan.sweep.empty()) return;
+void Simulator::solve_pressure(const std::vector<Stage>& sweep, StepReport& report) {
   std::array<uint32_t, 2> sweeps{};
   backend_.upload(Field::sweeps, sweeps);
   uint32_t times = first_look_;
   do {
-    backend_.sweep(plan.sweep, times);
+    backend_.sweep(sweep, times);
     backend_.download(Field::sweeps, sweeps);
     times = sweeps_between_looks;
   } while (static_cast<Solve>(sweeps[1]) == Solve::unfinished);

@@ -71,7 +71,7 @@ class Simulator {
   void find_failure(const StepReport& report, bool stands);
   enum class List { fits, longer_now, beyond_bounds };
   List judge_list();
-  void solve_pressure(const Plan& plan, StepReport& report);
+  void solve_pressure(const std::vector<Stage>& sweep, StepReport& report);
   Snapshot state_before_step() const;
   std::vector<uint32_t> ids(Field field) const;
   std::vector<double> scalars(Field field) const;

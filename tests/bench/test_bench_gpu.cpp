@@ -31,7 +31,7 @@ TEST(BenchGpu, EveryStageIsTimedWithAMethodThatHasIt) {
   for (uint32_t i = 0; i < stage_count; ++i) {
     const Stage stage = static_cast<Stage>(i);
     if (stage == Stage::relax) continue;
-    const Plan plan = make_plan(needs_of(bench::make_scene({bench::timed_with(stage), small})));
+    const Plan plan = make_plan(model_of(bench::make_scene({bench::timed_with(stage), small})));
     const std::vector<Stage> planned = plan.stages();
     EXPECT_NE(std::find(planned.begin(), planned.end(), stage), planned.end()) << info(stage).name;
   }
@@ -56,7 +56,10 @@ TEST(BenchGpu, SweepsAreComparedWithTheYardsticks) {
 }
 
 TEST(BenchGpu, SweepBytesAreThoseOfTheStageTable) {
-  const Plan plan = make_plan({.boundary = true, .linear_system = true, .barzilai_borwein = true});
+  const Plan plan = make_plan({.boundary = BoundaryModel::mirror,
+                               .method = PressureMethod::iisph,
+                               .wall = Wall::symmetric,
+                               .solver = Solver::barzilai_borwein});
   constexpr uint64_t n = 6400, entries = 70'000;
   // Per entry in both passes: index and gradient. Per particle:
   constexpr double acceleration = 8 + 4 + 4 + 8 + 8;  // list, q, rho, wall_gradient; a_p

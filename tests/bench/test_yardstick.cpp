@@ -23,7 +23,7 @@ bench::Yardstick yardstick_of(const Simulation& simulation) {
 }
 
 void run_sweep(const Simulation& simulation) {
-  for (const Stage stage : simulation.simulator->plan().sweep) simulation.backend->run(stage);
+  for (const Stage stage : simulation.simulator->plan()[Phase::sweep]) simulation.backend->run(stage);
 }
 
 TEST(YardstickTest, StartsFromTheBackendsPressures) {

@@ -50,7 +50,7 @@ TEST(CliAgree, WritesATableAndTheSameAsJson) {
   EXPECT_EQ(keys_of(json["run"]),
             (Words{"equal", "first_difference_step", "max_dx_over_h", "iterations_equal"}));
   std::set<std::string> planned;
-  for (const Stage stage : make_plan(needs_of(load_scene("breaking_dam"))).stages())
+  for (const Stage stage : make_plan(model_of(load_scene("breaking_dam"))).stages())
     planned.insert(std::string(info(stage).name));
   EXPECT_EQ(json["stages"].size(), planned.size());
   for (const auto& row : json["stages"]) {

@@ -61,7 +61,7 @@ TEST(CliInfo, ASceneShowsItsCountsPlanAndMemory) {
         has(result.out, "memory in double: [0-9]+ bytes per fluid particle, about [0-9.]+ [kMG]?B in all\n"));
     // The stages of the plan and their equations, in the order of the plan, and no others.
     size_t place = result.out.find("one step:"), lines = 0;
-    for (const Stage stage : make_plan(needs_of(load_scene(name))).stages()) {
+    for (const Stage stage : make_plan(model_of(load_scene(name))).stages()) {
       const std::string row = "\n    " + std::string(info(stage).name) + ' ';
       place = result.out.find(row, place);
       ASSERT_NE(place, std::string::npos) << row;

@@ -130,7 +130,7 @@ TEST(CliSummary, TimesTheStagesOfThePlan) {
     Words words{"--steps", "30"}, planned, timed;
     for (const std::string& change : overrides) words.insert(words.end(), {"--set", change});
     const auto summary = run("breaking_dam", words).summary;
-    for (const Stage stage : make_plan(needs_of(load_scene("breaking_dam", overrides))).stages()) {
+    for (const Stage stage : make_plan(model_of(load_scene("breaking_dam", overrides))).stages()) {
       const std::string name(info(stage).name);
       const bool known = std::ranges::find(planned, name) != planned.end();
       if (!known && stage != Stage::pseudo_mass) planned.push_back(name);  // which is no part of a step

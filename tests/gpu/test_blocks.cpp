@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include "gpu/prelude.hpp"
-#include "tests/support/needs.hpp"
 
 namespace sluice::test {
 namespace {
@@ -18,7 +17,7 @@ TEST(Blocks, NoShaderDeclaresMoreThanEightBlocksOrImages) {
   for (uint32_t s = 0; s < stage_count; ++s) {
     const Stage stage = static_cast<Stage>(s);
     for (const gpu::Loads loads : {gpu::Loads::blocks, gpu::Loads::texels}) {
-      const std::string text = gpu::prelude(stage, all_needs().back(), 0, 64, loads);
+      const std::string text = gpu::prelude(stage, 0, 64, loads);
       EXPECT_LE(occurrences(text, "buffer "), 8) << info(stage).name;
       EXPECT_GE(occurrences(text, "buffer "), 1) << info(stage).name;
       EXPECT_LE(occurrences(text, "mageBuffer "), 8) << info(stage).name;

@@ -104,7 +104,7 @@ void expect_every_stage_agrees(Bench bench) {
         << (difference.first ? info(difference.first->field).name : "nothing") << ", all zero "
         << difference.all_zero;
   }
-  const std::vector<Stage> planned = make_plan(needs_of(bench.scene)).stages();
+  const std::vector<Stage> planned = make_plan(model_of(bench.scene)).stages();
   EXPECT_EQ(compared, std::set<Stage>(planned.begin(), planned.end()))
       << "not every planned stage was compared";
   EXPECT_GT(guarded.looks, 100u);

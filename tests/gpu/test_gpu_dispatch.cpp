@@ -98,7 +98,7 @@ INSTANTIATE_TEST_SUITE_P(Methods, GpuDispatch, testing::Values("iisph", "ssph"))
 TEST(GpuSweep, SweepsEnqueuedTogetherEndWhereThoseOneByOneDo) {
   const Scene scene = shipped("breaking_dam");
   const Samples samples = sample(scene);
-  const Plan plan = make_plan(needs_of(scene));
+  const Plan plan = make_plan(model_of(scene));
   std::vector<std::vector<double>> pressures;
   std::vector<uint32_t> counts;
   for (const bool together : {true, false}) {
@@ -108,9 +108,9 @@ TEST(GpuSweep, SweepsEnqueuedTogetherEndWhereThoseOneByOneDo) {
     // Once more from the pressure that the step ended with.
     gpu.backend->upload(Field::sweeps, std::array<uint32_t, 2>{});
     if (together)
-      gpu.backend->sweep(plan.sweep, 200);
+      gpu.backend->sweep(plan[Phase::sweep], 200);
     else
-      gpu.backend->Backend::sweep(plan.sweep, 200);
+      gpu.backend->Backend::sweep(plan[Phase::sweep], 200);
     std::array<uint32_t, 2> sweeps{};
     gpu.backend->download(Field::sweeps, sweeps);
     EXPECT_EQ(static_cast<Solve>(sweeps[1]), Solve::converged);

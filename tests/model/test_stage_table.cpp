@@ -6,7 +6,7 @@
 #include <set>
 
 #include "core/model/plan.hpp"
-#include "tests/support/needs.hpp"
+#include "tests/support/models.hpp"
 #include "tests/support/run_program.hpp"
 
 namespace sluice::test {
@@ -18,13 +18,6 @@ std::set<std::string> stage_names() {
   std::set<std::string> names;
   for (const StageInfo& stage : stage_table()) names.insert(std::string(stage.name));
   return names;
-}
-
-TEST(StageTable, RowsStandInTheOrderOfTheirNames) {
-#define STAGE(row) EXPECT_EQ(info(Stage::row).name, #row);
-  SLUICE_STAGES(STAGE)
-#undef STAGE
-  EXPECT_EQ(stage_names().size(), stage_count);
 }
 
 TEST(StageTable, EveryStageHasItsFileAndItsEquation) {
@@ -46,8 +39,8 @@ TEST(StageTable, EveryFileInCpuIsAStageOrTheBackend) {
 
 /// What is there before the first stage of a step.
 bool carried(Field field) {
-  return std::set{Field::id_in, Field::x_in, Field::v_in, Field::p_in, Field::C_boundary, Field::x_boundary,
-                  Field::sweeps,
+  return std::set{Field::id_in, Field::x_in, Field::v_in, Field::p_in, Field::rho_in, Field::C_boundary,
+                  Field::x_boundary, Field::sweeps,
                   // Of a solve: what its first sweep finds there does not count.
                   Field::solve, Field::q_best, Field::q_before, Field::Ap_before}
       .contains(field);
@@ -77,74 +70,107 @@ TEST(StageTable, EveryStageHasItsShaderAndEveryComputeShaderIsKnown) {
 }
 
 TEST(Plan, NothingIsReadBeforeItIsWritten) {
-  for (const Needs& needs : all_needs()) {
-    expect_written_before_read(make_plan(needs));
-    expect_written_before_read(make_relax_plan(needs));
+  for (const Model& model : all_models()) {
+    expect_written_before_read(make_plan(model));
+    expect_written_before_read(make_plan(model, Task::relaxation));
   }
 }
 
-TEST(Plan, HasEachModelExactlyWhenItIsNeeded) {
-  const auto has = [](const Plan& plan, Stage stage) {
-    const auto stages = plan.stages();
-    return std::find(stages.begin(), stages.end(), stage) != stages.end();
-  };
-  for (const Needs& needs : all_needs()) {
-    const Plan plan = make_plan(needs);
-    EXPECT_EQ(has(plan, Stage::boundary), needs.boundary);
-    EXPECT_EQ(has(plan, Stage::pseudo_mass), needs.pseudo_mass);
-    EXPECT_EQ(has(plan, Stage::viscosity), needs.laplacian);
-    EXPECT_EQ(has(plan, Stage::xsph), needs.xsph);
-    EXPECT_EQ(has(plan, Stage::state_equation), needs.state_equation);
-    EXPECT_EQ(has(plan, Stage::clamp_density), needs.tait);
-    EXPECT_EQ(has(plan, Stage::tait), needs.tait);
-    for (const Stage stage : {Stage::diagonal, Stage::source, Stage::warm_start, Stage::pressure_operator,
-                              Stage::residual, Stage::stop_test, Stage::pressure_update, Stage::pressure}) {
-      EXPECT_EQ(has(plan, stage), needs.linear_system) << info(stage).name;
+TEST(Plan, HasAStageExactlyWhenItsRowSaysSo) {
+  for (const Model& model : all_models()) {
+    for (const Task task : {Task::step, Task::relaxation}) {
+      const Plan plan = make_plan(model, task);
+      for (uint32_t s = 0; s < stage_count; ++s) {
+        const StageInfo& row = stage_table()[s];
+        for (const PhaseInfo& phase : phase_table) {
+          const bool wanted = row.phases.has(phase.phase) && row.tasks.has(task) && plan.needs.*row.need &&
+                              plan.needs.*phase.need;
+          EXPECT_EQ(std::ranges::count(plan[phase.phase], static_cast<Stage>(s)), wanted ? 1 : 0) << row.name;
+        }
+      }
     }
-    for (const Stage stage : plan.stages()) {
-      const bool once = std::find(plan.once.begin(), plan.once.end(), stage) != plan.once.end();
-      EXPECT_EQ(runs_once(stage), once) << info(stage).name;
-    }
-    EXPECT_FALSE(has(plan, Stage::relax));
-    EXPECT_EQ(plan.sweep.empty(), !needs.linear_system);
-    const Plan relaxing = make_relax_plan(needs);
-    EXPECT_TRUE(has(relaxing, Stage::relax));
-    EXPECT_EQ(has(relaxing, Stage::pseudo_mass), needs.pseudo_mass);
-    for (const Stage stage :
-         {Stage::clamp_density, Stage::xsph, Stage::viscosity, Stage::tait, Stage::state_equation}) {
-      EXPECT_FALSE(has(relaxing, stage)) << info(stage).name;
+  }
+}
+
+TEST(Plan, AStepComputesPressureInOneWay) {
+  for (const Model& model : all_models()) {
+    const Plan plan = make_plan(model);
+    const std::vector<Stage> stages = plan.stages();
+    const auto has = [&](Stage stage) { return std::ranges::find(stages, stage) != stages.end(); };
+    EXPECT_EQ(has(Stage::state_equation) + has(Stage::tait) + has(Stage::pressure), 1);
+    EXPECT_EQ(has(Stage::clamp_density), has(Stage::tait));
+    EXPECT_EQ(plan.sweeps(), has(Stage::pressure));
+    EXPECT_TRUE(has(Stage::integrate));
+    EXPECT_FALSE(has(Stage::relax));
+  }
+}
+
+TEST(Plan, ARelaxationIsOfAnInviscidFluidWithALinearSystem) {
+  for (const Model& model : all_models()) {
+    const Plan plan = make_plan(model, Task::relaxation);
+    EXPECT_TRUE(plan.sweeps());
+    EXPECT_EQ(plan[Phase::finish].back(), Stage::relax);
+    EXPECT_FALSE(plan.fields().has(Field::wall_viscosity));
+    EXPECT_EQ(plan.needs.pseudo_mass, model.boundary == BoundaryModel::akinci);
+  }
+}
+
+TEST(StageTable, WhatRunsOnceIsInThatPhaseOnly) {
+  for (uint32_t s = 0; s < stage_count; ++s)
+    EXPECT_EQ(runs_once(static_cast<Stage>(s)), stage_table()[s].phases.has(Phase::once));
+}
+
+TEST(StageTable, EveryFieldIsWrittenBySomeStageOrIsThereBefore) {
+  FieldSet written;
+  for (const StageInfo& row : stage_table()) written = written | row.writes;
+  for (uint32_t f = 0; f < field_count; ++f) {
+    const Field field = static_cast<Field>(f);
+    EXPECT_TRUE(written.has(field) || carried(field)) << info(field).name;
+  }
+}
+
+// What a plan allocates its stages use, and no stage without its need's fields reads them.
+TEST(Plan, AllocatesWhatTheFieldsNeedsSay) {
+  for (const Model& model : all_models()) {
+    const Plan plan = make_plan(model);
+    for (uint32_t f = 0; f < field_count; ++f) {
+      const Field field = static_cast<Field>(f);
+      EXPECT_LE(plan.fields().has(field), plan.needs.*info(field).need) << info(field).name;
     }
   }
 }
 
 TEST(Plan, AllocatesNothingThatNoStageUses) {
-  Needs bare;
-  bare.state_equation = true;
-  const FieldSet fields = make_plan(bare).fields();
+  Model model{.method = PressureMethod::ssph};
+  const FieldSet bare = make_plan(model).fields();
   for (const Field field : {Field::C_boundary, Field::x_boundary, Field::Psi, Field::wall_density,
                             Field::wall_gradient, Field::wall_gradient_squares, Field::wall_viscosity,
                             Field::A_ii, Field::s, Field::Ap, Field::residual_sums, Field::solve}) {
-    EXPECT_FALSE(fields.has(field)) << info(field).name;
+    EXPECT_FALSE(bare.has(field)) << info(field).name;
   }
-  Needs inviscid = bare;
-  inviscid.boundary = true;
-  EXPECT_TRUE(make_plan(inviscid).fields().has(Field::wall_gradient));
-  EXPECT_FALSE(make_plan(inviscid).fields().has(Field::wall_viscosity));
-  EXPECT_FALSE(make_plan(inviscid).fields().has(Field::wall_gradient_squares))
-      << "only the diagonal reads it";
-  EXPECT_FALSE(make_plan(inviscid).fields().has(Field::Psi)) << "mirror samples have the mass of the fluid's";
-  Needs akinci = inviscid;
-  akinci.pseudo_mass = akinci.linear_system = true;
-  akinci.state_equation = false;
-  EXPECT_FALSE(make_plan(akinci).fields().has(Field::q_before)) << "Jacobi looks no further back";
-  EXPECT_FALSE(make_plan(akinci).fields().has(Field::Ap_before));
-  Needs mirror = akinci;
-  mirror.pseudo_mass = false;
-  EXPECT_FALSE(make_plan(mirror).fields().has(Field::wall_gradient_squares)) << "of the thesis's wall only";
-  mirror.thesis_wall = true;
-  EXPECT_TRUE(make_plan(mirror).fields().has(Field::wall_gradient_squares));
-  EXPECT_TRUE(make_plan(akinci).fields().has(Field::Psi));
-  EXPECT_FALSE(make_plan(akinci).fields().has(Field::wall_gradient_squares)) << "of mirror samples only";
+  model.boundary = BoundaryModel::mirror;
+  const FieldSet inviscid = make_plan(model).fields();
+  EXPECT_TRUE(inviscid.has(Field::wall_gradient));
+  EXPECT_FALSE(inviscid.has(Field::wall_viscosity));
+  EXPECT_FALSE(inviscid.has(Field::wall_gradient_squares)) << "only the diagonal reads it";
+  EXPECT_FALSE(inviscid.has(Field::Psi)) << "mirror samples have the mass of the fluid's";
+  model.viscosity = ViscosityModel::laplacian;
+  EXPECT_TRUE(make_plan(model).fields().has(Field::wall_viscosity));
+  model.method = PressureMethod::iisph;
+  const FieldSet thesis = make_plan(model).fields();
+  EXPECT_TRUE(thesis.has(Field::wall_gradient_squares));
+  EXPECT_FALSE(thesis.has(Field::q_before)) << "Jacobi looks no further back";
+  EXPECT_FALSE(thesis.has(Field::Ap_before));
+  model.wall = Wall::symmetric;
+  model.solver = Solver::barzilai_borwein;
+  const FieldSet symmetric = make_plan(model).fields();
+  EXPECT_FALSE(symmetric.has(Field::wall_gradient_squares)) << "of the thesis's wall only";
+  EXPECT_TRUE(symmetric.has(Field::q_before));
+  model.boundary = BoundaryModel::akinci;
+  model.wall = Wall::thesis;
+  const FieldSet akinci = make_plan(model).fields();
+  EXPECT_TRUE(akinci.has(Field::Psi));
+  EXPECT_FALSE(akinci.has(Field::wall_gradient_squares)) << "of mirror samples only";
 }
 
 }  // namespace

@@ -43,7 +43,7 @@ struct Solve {
     backend().upload(Field::q, q);
     std::array<uint32_t, 2> sweeps{};
     backend().upload(Field::sweeps, sweeps);
-    backend().sweep(simulation.simulator->plan().sweep, std::numeric_limits<uint32_t>::max());
+    backend().sweep(simulation.simulator->plan()[Phase::sweep], std::numeric_limits<uint32_t>::max());
     backend().download(Field::sweeps, sweeps);
     outcome = static_cast<sluice::Solve>(sweeps[1]);
     return sweeps[0];

@@ -74,7 +74,7 @@ TEST(Allocations, BackendTakesWhatWasForeseen) {
                         first_list_size(samples.fluid.size(), scene.smoothing)};
       const auto backend = cpu::make_backend(Precision::double_, 1);
       const uint64_t before = allocated_bytes;
-      backend->allocate(make_plan(needs_of(scene)).fields(), sizes);
+      backend->allocate(make_plan(model_of(scene)).fields(), sizes);
       const double taken = static_cast<double>(allocated_bytes - before);
       const double foreseen = memory_need(scene, Precision::double_).bytes;
       EXPECT_GE(foreseen, taken) << name << " " << method;
