@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cctype>
 #include <cmath>
 
 namespace sluice {
@@ -12,24 +13,10 @@ std::string round_trip(double value, Precision precision) {
   return precision == Precision::double_ ? fmt::format("{:.17g}", value) : fmt::format("{:.9g}", value);
 }
 
-std::string_view name_of(Precision precision) { return precision == Precision::double_ ? "double" : "float"; }
-
-std::string_view name_of(PressureMethod method) {
-  switch (method) {
-    case PressureMethod::ssph: return "ssph";
-    case PressureMethod::wcsph: return "wcsph";
-    case PressureMethod::iisph: return "iisph";
-  }
-  return "";
-}
-
-std::string_view title_of(PressureMethod method) {
-  switch (method) {
-    case PressureMethod::ssph: return "SSPH";
-    case PressureMethod::wcsph: return "WCSPH";
-    case PressureMethod::iisph: return "IISPH";
-  }
-  return "";
+std::string title_of(PressureMethod method) {
+  std::string title(name_of(method));
+  for (char& c : title) c = static_cast<char>(std::toupper(c));
+  return title;
 }
 
 std::string bytes_text(double bytes) {

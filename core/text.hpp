@@ -4,17 +4,14 @@
 #include <string>
 #include <string_view>
 
-#include "core/scene/scene.hpp"
-#include "core/solver/backend.hpp"
+#include "core/model/choices.hpp"
 
 namespace sluice {
 
 /// Digits with which a number of this precision reads back as the same number: %.9g or %.17g.
 std::string round_trip(double value, Precision precision);
 
-std::string_view name_of(Precision precision);     ///< "float", "double"
-std::string_view name_of(PressureMethod method);   ///< "ssph", "wcsph", "iisph"
-std::string_view title_of(PressureMethod method);  ///< "SSPH", "WCSPH", "IISPH"
+std::string title_of(PressureMethod method);  ///< "SSPH", "WCSPH", "IISPH"
 
 /// "1.2 GB", "340 kB".
 std::string bytes_text(double bytes);

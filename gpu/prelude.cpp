@@ -27,6 +27,10 @@ std::string constants(uint32_t pass, uint32_t group_size) {
   const auto add = [&](std::string_view name, uint32_t value) {
     text += fmt::format("const uint {} = {}u;\n", name, value);
   };
+  const auto add_choices = [&](std::string_view what, const ChoiceTable& choices) {
+    for (uint32_t i = 0; i < choices.rows.size(); ++i)
+      add(fmt::format("{}_{}", what, choices.rows[i].identifier), choices.first + i);
+  };
   add("group_size", group_size);
   add("slice_width", slice_width);
   add("chunk_width", chunk_width);
@@ -46,8 +50,8 @@ std::string constants(uint32_t pass, uint32_t group_size) {
   add("first_max_total", first_max_total);
   for (uint32_t sum = 0; sum < residual_sum_count; ++sum)
     add("residual_" + std::string(residual_sum_names[sum]), sum);
-  add("solver_jacobi", static_cast<uint32_t>(Solver::jacobi));
-  add("stop_residual", static_cast<uint32_t>(Stop::residual));
+  add_choices("solver", choices_of(Solver{}));
+  add_choices("stop", choices_of(Stop{}));
   return text;
 }
 

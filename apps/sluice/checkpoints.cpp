@@ -7,11 +7,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 
 #include "apps/sluice/differences.hpp"
 #include "core/error.hpp"
 #include "core/output/frame_clock.hpp"
 #include "core/scene/load.hpp"
+#include "core/scene/settings.hpp"
 #include "core/text.hpp"
 #include "media/recording.hpp"
 
@@ -29,9 +31,9 @@ Scene load_given(const RunOptions& options, const Checkpoint& from,
   try {
     return load_scene(*options.scene, overrides);
   } catch (const InputError& error) {
-    if (from.scene.overrides.empty()) throw;
+    if (from.scene.record.overrides.empty()) throw;
     throw InputError(fmt::format("{} (with the overrides in {} applied first: {})", error.what(),
-                                 options.resume->string(), fmt::join(from.scene.overrides, ", ")));
+                                 options.resume->string(), fmt::join(from.scene.record.overrides, ", ")));
   }
 }
 
@@ -57,10 +59,10 @@ Scene scene_to_run(const RunOptions& options, const std::optional<Checkpoint>& f
   if (!from)
     throw InputError(
         "run: found no SCENE, expected a scene file, the name of a shipped scene, or --resume FILE");
-  const auto overrides = joined(from->scene.overrides, options.overrides);
+  const auto overrides = joined(from->scene.record.overrides, options.overrides);
   Scene scene = options.scene ? load_given(options, *from, overrides)
-                              : parse_scene(from->scene.text, from->scene.file, overrides);
-  if (const auto difference = first_difference(from->scene.settings, scene.settings)) {
+                              : parse_scene(from->scene.record.text, from->scene.file, overrides);
+  if (const auto difference = first_difference(settings_of(from->scene), settings_of(scene))) {
     throw InputError(fmt::format(
         "{}: found a checkpoint made with {} {}, expected one with {}, as this run asks for; only "
         "output, scene and time.duration may change on the way",

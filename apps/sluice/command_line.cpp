@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 #include "apps/sluice/commands.hpp"
@@ -18,22 +19,21 @@
 namespace sluice::app {
 namespace {
 
-/// An option that takes one of a few names.
-template <class T, class Use>
-CLI::Option* add_choice(CLI::App& app, const std::string& name, Use use,
-                        std::vector<std::pair<std::string, T>> choices, const std::string& help) {
-  const auto read = [name, use, choices = std::move(choices)](const std::string& text) {
+/// An option that takes one of the names of an enum; `use` gets the value.
+template <class Enum>
+CLI::Option* add_choice(CLI::App& app, const std::string& name, const std::function<void(Enum)>& use,
+                        const std::string& help) {
+  const auto read = [name, use](const std::string& text) {
+    if (const auto value = value_named<Enum>(text)) return use(*value);
     std::string known;
-    for (const auto& [choice, meaning] : choices) {
-      if (text == choice) {
-        use(meaning);
-        return;
-      }
-      known += (known.empty() ? "" : ", ") + choice;
-    }
+    for (const ChoiceInfo& choice : choices_of(Enum{}).rows)
+      known += fmt::format("{}{}", known.empty() ? "" : ", ", choice.name);
     throw InputError(fmt::format("{}: found \"{}\", expected one of {}", name, text, known));
   };
-  return app.add_option_function<std::string>(name, read, help)->type_name("WHICH");
+  std::string meanings;
+  for (const ChoiceInfo& choice : choices_of(Enum{}).rows)
+    meanings += fmt::format("{}{}: {}", meanings.empty() ? "" : "; ", choice.name, choice.meaning);
+  return app.add_option_function<std::string>(name, read, help + meanings)->type_name("WHICH");
 }
 
 void declare_overrides(CLI::App& app, std::vector<std::string>& overrides) {
@@ -144,15 +144,13 @@ void add_picture_options(CLI::App& app, std::vector<std::string>& overrides, Ove
          "Picture size in pixels; overrides output.size")
       ->type_name("WxH")
       ->group("Pictures");
-  add_choice<std::string>(
-      app, "--colour", [&](const std::string& name) { overrides.push_back("output.colour=" + name); },
-      {{"speed", "speed"}, {"density", "density"}, {"pressure", "pressure"}},
-      "Colour particles by speed, density or pressure; overrides output.colour")
+  add_choice<Colour>(
+      app, "--colour",
+      [&](Colour colour) { overrides.push_back(fmt::format("output.colour={}", name_of(colour))); },
+      "What colours show, in place of output.colour. ")
       ->group("Pictures");
   add_choice<OverlayChoice>(
-      app, "--overlay", [&](OverlayChoice choice) { overlay = choice; },
-      {{"none", OverlayChoice::none}, {"facts", OverlayChoice::facts}, {"all", OverlayChoice::all}},
-      overlay_help)
+      app, "--overlay", [&](OverlayChoice choice) { overlay = choice; }, overlay_help)
       ->group("Pictures");
 }
 
@@ -178,8 +176,7 @@ void add_frame_outputs(CLI::App& app, std::vector<std::string>& overrides, Frame
   add_path(app, "--vtk", options.vtk, "Write the particles of every frame into this folder, for ParaView")
       ->type_name("DIR")
       ->group("Output");
-  add_picture_options(app, overrides, options.overlay,
-                      "Text on the pictures: none, facts (default), all (with ms per step)");
+  add_picture_options(app, overrides, options.overlay, "Text on the pictures; facts if not given. ");
 }
 
 void add_steps_and_time(CLI::App& app, std::optional<uint64_t>& steps, std::optional<double>& time,
@@ -214,12 +211,10 @@ void declare_threads(CLI::App& app, MachineOptions& options) {
 void declare_machine(CLI::App& app, MachineOptions& options) {
   add_choice<BackendChoice>(
       app, "--backend", [&](BackendChoice backend) { options.backend = backend; },
-      {{"auto", BackendChoice::automatic}, {"cpu", BackendChoice::cpu}, {"gpu", BackendChoice::gpu}},
-      "auto (default) takes a graphics card if there is one, else the CPU; cpu; gpu: OpenGL compute shaders");
+      "Where to compute; auto if not given. ");
   add_choice<Precision>(
       app, "--precision", [&](Precision precision) { options.precision = precision; },
-      {{"float", Precision::single_}, {"double", Precision::double_}},
-      "float (default) or double; double runs on the CPU");
+      "float if not given. ");
   declare_threads(app, options);
 }
 
@@ -312,8 +307,7 @@ void declare_play_options(CLI::App& app, PlayOptions& options) {
   declare_machine(app, options.machine);
   declare_shader_dir(app, options.machine);
   add_steps_and_time(app, options.steps, options.time, "before the window pauses");
-  add_picture_options(app, options.overrides, options.overlay,
-                      "Text in the window: none, facts, all (default: with ms per step and the speed)");
+  add_picture_options(app, options.overrides, options.overlay, "Text in the window; all if not given. ");
   add_speed(app, options.speed, "Simulated seconds per second, where the machine keeps up; 1 if not given");
 }
 
@@ -337,7 +331,8 @@ int run_command_line(int argc, char** argv) {
   CLI::App app{
       "SPH fluids in two dimensions: pressure from a state equation against pressure from a linear system."};
   app.require_subcommand(0, 1);  // none is refused below, so that an unknown one is named
-  app.set_version_flag("--version", "sluice " + version());
+  const std::string of_commit = commit().empty() ? "" : fmt::format(" (commit {})", commit());
+  app.set_version_flag("--version", fmt::format("sluice {}{}", version(), of_commit));
   app.footer("Start with: sluice run breaking_dam --frames frames");
 
   RunOptions options;

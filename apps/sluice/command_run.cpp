@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "apps/sluice/checkpoints.hpp"
 #include "apps/sluice/clashes.hpp"

@@ -1,7 +1,7 @@
 // Where the settings of two scenes differ.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 

@@ -7,12 +7,23 @@
 #include <string>
 #include <vector>
 
-#include "core/solver/backend.hpp"
+#include "core/model/choices.hpp"
 
 namespace sluice::app {
 
-enum class BackendChoice { automatic, cpu, gpu };
-enum class OverlayChoice { none, facts, all };
+// clang-format off
+#define SLUICE_BACKEND_CHOICES(CHOICE)                                          \
+  CHOICE(automatic, "auto", "a graphics card if there is one, else the CPU")    \
+  CHOICE(cpu, "cpu", "this processor")                                          \
+  CHOICE(gpu, "gpu", "OpenGL compute shaders")
+SLUICE_DECLARE_CHOICES(BackendChoice, SLUICE_BACKEND_CHOICES)
+
+#define SLUICE_OVERLAY_CHOICES(CHOICE)                                          \
+  CHOICE(none, "none", "no text")                                               \
+  CHOICE(facts, "facts", "title, method, time, iterations and particles")       \
+  CHOICE(all, "all", "these and milliseconds per step")
+SLUICE_DECLARE_CHOICES(OverlayChoice, SLUICE_OVERLAY_CHOICES)
+// clang-format on
 
 /// Where to compute and draw.
 struct MachineOptions {

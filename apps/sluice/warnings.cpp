@@ -23,7 +23,7 @@ void warn_of_unused_opengl(const MachineOptions& options, bool quiet) {
 namespace {
 
 /// The key that makes the steps of a run shorter.
-std::string steps_key(const Scene& scene) { return scene.adaptive ? "time.cfl" : dt_key(scene); }
+std::string steps_key(const Scene& scene) { return scene.adaptive ? "time.cfl" : scene.dt_key; }
 
 /// What often helps against a run that became invalid.
 std::string remedy(const Scene& scene, const RunStatistics& statistics, const Failure& failure) {

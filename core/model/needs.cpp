@@ -1,6 +1,8 @@
 // Scene -> Model -> Needs.
 #include "core/model/needs.hpp"
 
+#include "core/scene/scene.hpp"
+
 namespace sluice {
 
 Model model_of(const Scene& scene) {

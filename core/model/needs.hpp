@@ -5,9 +5,11 @@
 #include <array>
 #include <string_view>
 
-#include "core/scene/scene.hpp"
+#include "core/model/choices.hpp"
 
 namespace sluice {
+
+struct Scene;
 
 /// The choices of a scene that decide what a step is made of.
 struct Model {

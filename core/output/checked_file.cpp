@@ -40,8 +40,8 @@ std::string run_header(const Scene& scene, Precision precision, const std::strin
                                        {"precision", name_of(precision)},
                                        {"device", device},
                                        {"file", std::filesystem::path(scene.file).filename().string()},
-                                       {"overrides", scene.overrides},
-                                       {"text", scene.text}};
+                                       {"overrides", scene.record.overrides},
+                                       {"text", scene.record.text}};
   return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
 }
 

@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "core/model/larger.hpp"
+#include "core/scene/settings.hpp"
 #include "core/text.hpp"
 
 namespace sluice {
@@ -57,6 +59,7 @@ nlohmann::ordered_json to_json(const RunSummary& summary) {
   nlohmann::ordered_json json;
   json["format"] = 1;
   json["version"] = version();
+  json["commit"] = commit().empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(commit());
   json["scene"] = scene.name;
   json["title"] = scene.title;
   json["backend"] = backend.name();
@@ -85,7 +88,7 @@ nlohmann::ordered_json to_json(const RunSummary& summary) {
     json["seconds"]["stages"][std::string(info(stage).name)] = backend.seconds(stage);
   }
   json["particle_sweeps_per_second"] = sweeps_per_second(summary);
-  json["settings"] = scene.settings;
+  json["settings"] = settings_of(scene);
   return json;
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <limits>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "core/solver/simulator.hpp"
@@ -65,5 +65,8 @@ std::string to_text(const RunSummary& summary);
 
 /// Version of Sluice.
 std::string version();
+
+/// The commit that this program was built from, "1a2b3c4" or "1a2b3c4-modified"; empty when it is not known.
+std::string commit();
 
 }  // namespace sluice

@@ -5,15 +5,23 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "core/scene/check.hpp"
 #include "core/scene/keys.hpp"
 #include "core/scene/read_shapes.hpp"
+#include "core/scene/settings.hpp"
 
 namespace sluice {
 namespace {
 
 constexpr double max_steps = 9007199254740992.0;  // 2^53, as far as a double counts
+
+/// Reads a name that was checked.
+template <class Enum>
+void read_choice(const SceneValue& value, Enum& choice) {
+  choice = value_named<Enum>(value.text).value();
+}
 
 uint32_t count(const SceneValue& value) { return static_cast<uint32_t>(value.integer); }
 
@@ -59,12 +67,12 @@ void read_fluid(const SceneValue& table, ShapeReader& reader, Scene& scene) {
 }
 
 void read_boundary(const SceneValue& table, ShapeReader& reader, Scene& scene) {
-  scene.boundary_model = table.at("model").text == "akinci" ? BoundaryModel::akinci : BoundaryModel::mirror;
+  read_choice(table.at("model"), scene.boundary_model);
   scene.boundary = reader.boundary(table);
 }
 
 void read_viscosity(const SceneValue& table, Scene& scene) {
-  scene.viscosity_model = table.at("model").text == "xsph" ? ViscosityModel::xsph : ViscosityModel::laplacian;
+  read_choice(table.at("model"), scene.viscosity_model);
   scene.viscosity = table.at("coefficient").number;
 }
 
@@ -84,17 +92,15 @@ void read_iisph(const SceneValue& table, Iisph& iisph) {
   iisph.omega = table.at("omega").number;
   iisph.warm_start = table.at("warm_start").number;
   iisph.source_weight = table.at("source_weight").number;
-  if (table.at("solver").text == "barzilai-borwein") iisph.solver = Solver::barzilai_borwein;
-  if (table.at("wall").text == "symmetric") iisph.wall = Wall::symmetric;
-  if (table.at("stop").text == "residual") iisph.stop = Stop::residual;
+  read_choice(table.at("solver"), iisph.solver);
+  read_choice(table.at("wall"), iisph.wall);
+  read_choice(table.at("stop"), iisph.stop);
 }
 
 void read_pressure(const SceneValue& root, Scene& scene) {
   const SceneValue& table = root.at("pressure");
   const SceneValue& method = table.at("method");
-  scene.method = method.text == "ssph"    ? PressureMethod::ssph
-                 : method.text == "wcsph" ? PressureMethod::wcsph
-                                          : PressureMethod::iisph;
+  read_choice(method, scene.method);
   if (!table.find(method.text))
     throw refusal(
         method.overridden ? method.where : table.where, "pressure." + method.text, "nothing",
@@ -143,8 +149,10 @@ void read_time(const SceneValue& root, Scene& scene) {
     scene.adaptive = {cfl->number, table.at("dt_min").number, table.at("dt_max").number};
     dt = table.find("dt_min");
     scene.dt = scene.adaptive->dt_max;
+    scene.dt_key = "time.dt_min";
   } else {
     scene.dt = dt->number;
+    scene.dt_key = method_dt ? method_key : "time.dt";
   }
   if (!(scene.duration / dt->number <= max_steps))
     throw refusal(blame({&table.at("duration"), dt}), "time.duration",
@@ -155,9 +163,7 @@ void read_time(const SceneValue& root, Scene& scene) {
 
 void read_output(const SceneValue& table, Scene& scene) {
   scene.fps = table.at("fps").number;
-  scene.colour = table.at("colour").text == "density"    ? Colour::density
-                 : table.at("colour").text == "pressure" ? Colour::pressure
-                                                         : Colour::speed;
+  read_choice(table.at("colour"), scene.colour);
   if (const SceneValue* size = table.find("size")) {
     scene.image_size = {count(size->items[0]), count(size->items[1])};
   } else {
@@ -222,18 +228,22 @@ Scene build_scene(const SceneValue& root, const std::string& name, const std::st
   read_pressure(root, scene);
   read_time(root, scene);
   read_output(root.at("output"), scene);
-  scene.settings = scene_settings(root, scene);
+  scene.record.settings = settings_text(root, scene);
   return scene;
 }
 
-nlohmann::ordered_json scene_settings(const SceneValue& root, const Scene& scene) {
+nlohmann::ordered_json settings_of(const Scene& scene) {
+  return nlohmann::ordered_json::parse(scene.record.settings);
+}
+
+std::string settings_text(const SceneValue& root, const Scene& scene) {
   nlohmann::ordered_json settings = to_json(root, "");
   if (scene.adaptive)
     settings["time"].erase("dt");
   else
     settings["time"]["dt"] = scene.dt;
   settings["output"]["size"] = {scene.image_size.x, scene.image_size.y};
-  return settings;
+  return settings.dump();
 }
 
 }  // namespace sluice

@@ -1,7 +1,7 @@
 // A checked tree to a Scene: lengths are evaluated, and what several keys must fulfil together is checked.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <string>
 
 #include "core/scene/scene.hpp"
 #include "core/scene/tree.hpp"
@@ -13,9 +13,9 @@ namespace sluice {
 /// hold more samples than can be numbered.
 Scene build_scene(const SceneValue& root, const std::string& name, const std::string& file);
 
-/// The scene as run: every key of the tree in the order of the key table, defaults included; numbers as
-/// numbers, length strings as written. `scene` gives what no key says by itself: the time step and the
+/// The scene as run, as JSON: every key of the tree in the order of the key table, defaults included; numbers
+/// as numbers, length strings as written. `scene` gives what no key says by itself: the time step and the
 /// picture's size.
-nlohmann::ordered_json scene_settings(const SceneValue& root, const Scene& scene);
+std::string settings_text(const SceneValue& root, const Scene& scene);
 
 }  // namespace sluice

@@ -40,8 +40,9 @@ bool in_range(double number, const KeyRange& range) {
   return low && high;
 }
 
-bool is_choice(const SceneValue& value, std::span<const std::string_view> choices) {
-  return value.kind == Kind::text && std::ranges::find(choices, value.text) != choices.end();
+bool is_choice(const SceneValue& value, std::span<const ChoiceInfo> choices) {
+  return value.kind == Kind::text &&
+         std::ranges::find(choices, value.text, &ChoiceInfo::name) != choices.end();
 }
 
 /// The range of a length is checked when the spacing is known.

@@ -13,15 +13,6 @@ constexpr KeyRange not_negative{.low = 0};
 constexpr KeyRange at_least(double low) { return {.low = low}; }
 constexpr KeyRange from_to(double low, double high) { return {.low = low, .high = high}; }
 
-constexpr std::array<std::string_view, 2> boundary_models{"mirror", "akinci"};
-constexpr std::array<std::string_view, 4> container_sides{"left", "right", "bottom", "top"};
-constexpr std::array<std::string_view, 2> viscosity_models{"laplacian", "xsph"};
-constexpr std::array<std::string_view, 3> pressure_methods{"iisph", "ssph", "wcsph"};
-constexpr std::array<std::string_view, 2> iisph_solvers{"jacobi", "barzilai-borwein"};
-constexpr std::array<std::string_view, 2> iisph_walls{"thesis", "symmetric"};
-constexpr std::array<std::string_view, 2> iisph_stops{"density", "residual"};
-constexpr std::array<std::string_view, 3> colours{"speed", "density", "pressure"};
-
 constexpr auto text = KeyType::text;
 constexpr auto number = KeyType::number;
 constexpr auto integer = KeyType::integer;
@@ -130,10 +121,8 @@ constexpr std::array keys{
     SceneKey{"fluid.polygon[].velocity_gradient", matrix, "1/time", "[[0.0, 0.0], [0.0, 0.0]]", any,
              "G in the further initial velocity G (x - centre of the shape), as rows."},
 
-    SceneKey{"boundary.model", choice, "", required_key, any,
-             "\"mirror\": samples of full mass with the pressure of the particle that looks at them "
-             "[Hunkler 2022]; \"akinci\": samples weighted by their own spacing [Akinci et al. 2012].",
-             boundary_models},
+    SceneKey{"boundary.model", choice, "", required_key, any, "How walls act on the fluid.",
+             choices_of(BoundaryModel{}).rows},
 
     SceneKey{"boundary.rect[].min", lengths, "length", required_key, any, "The first sample."},
     SceneKey{"boundary.rect[].max", lengths, "length", "", any,
@@ -155,20 +144,19 @@ constexpr std::array keys{
     SceneKey{"boundary.container[].layers", integer, "", "3", from_to(1, 1000),
              "Thickness of each wall; 1 is enough for an \"akinci\" boundary."},
     SceneKey{"boundary.container[].sides", choices, "", "[\"left\", \"right\", \"bottom\"]", any,
-             "The walls there are.", container_sides},
+             "The walls there are.", choices_of(Side{}).rows},
 
     SceneKey{"boundary.segment[].from", lengths, "length", required_key, any, "Start, where a sample sits."},
     SceneKey{"boundary.segment[].to", lengths, "length", required_key, any, "End."},
     SceneKey{"boundary.segment[].layers", integer, "", "3", from_to(1, 1000), "Thickness."},
 
-    SceneKey{"viscosity.model", choice, "", required_key, any,
-             "\"laplacian\": a discrete Laplacian of the velocity, also at walls [Hunkler 2022]; \"xsph\": "
-             "velocities smoothed over the neighbours, fluid only [WCSPH page].",
-             viscosity_models},
+    SceneKey{"viscosity.model", choice, "", required_key, any, "How velocities are made alike.",
+             choices_of(ViscosityModel{}).rows},
     SceneKey{"viscosity.coefficient", number, "length²/time", required_key, not_negative,
              "nu of \"laplacian\"; alpha of \"xsph\", a pure number, up to about 2."},
 
-    SceneKey{"pressure.method", choice, "", required_key, any, "The method of this run.", pressure_methods},
+    SceneKey{"pressure.method", choice, "", required_key, any, "The method of this run.",
+             choices_of(PressureMethod{}).rows},
 
     SceneKey{"pressure.iisph.tolerance", number, "", "1e-3", positive,
              "The iteration stops when its error is less."},
@@ -183,20 +171,12 @@ constexpr std::array keys{
              "other."},
     SceneKey{"pressure.iisph.warm_start", number, "", "0.5", from_to(0, 1),
              "The iteration starts from this part of the last step's pressure."},
-    SceneKey{
-        "pressure.iisph.solver", choice, "", "\"jacobi\"", any,
-        "How the system is iterated: \"jacobi\" as in [Hunkler 2022]; \"barzilai-borwein\" with steps of "
-        "its own choice, and up to six times fewer of them.",
-        iisph_solvers},
-    SceneKey{"pressure.iisph.wall", choice, "", "\"thesis\"", any,
-             "The wall term of a \"mirror\" boundary: \"thesis\" as in [Hunkler 2022]; \"symmetric\" counts "
-             "it twice "
-             "in the divergence too, which makes the system symmetric.",
-             iisph_walls},
-    SceneKey{"pressure.iisph.stop", choice, "", "\"density\"", any,
-             "What `tolerance` bounds: \"density\", the mean density error; \"residual\", the residual "
-             "relative to the source, for which 1e-2 is tight.",
-             iisph_stops},
+    SceneKey{"pressure.iisph.solver", choice, "", "\"jacobi\"", any, "How the system is iterated.",
+             choices_of(Solver{}).rows},
+    SceneKey{"pressure.iisph.wall", choice, "", "\"thesis\"", any, "The wall term of a \"mirror\" boundary.",
+             choices_of(Wall{}).rows},
+    SceneKey{"pressure.iisph.stop", choice, "", "\"density\"", any, "What `tolerance` bounds.",
+             choices_of(Stop{}).rows},
     SceneKey{"pressure.iisph.source_weight", number, "", "1.0",
              KeyRange{.low = 0, .high = 1, .low_excluded = true}, "Weight of rho0 - rho in the source."},
     SceneKey{"pressure.iisph.dt", number, "time", "", positive, "Time step while this method is chosen."},
@@ -218,7 +198,8 @@ constexpr std::array keys{
     SceneKey{"output.fps", number, "1/time", "25.0", positive, "Pictures per unit of time."},
     SceneKey{"output.size", integers, "pixel", "", from_to(16, 16384),
              "Width and height. Without it the longer side of `domain` is 800 pixels."},
-    SceneKey{"output.colour", choice, "", "\"speed\"", any, "What the colour of a particle shows.", colours},
+    SceneKey{"output.colour", choice, "", "\"speed\"", any, "What the colour of a particle shows.",
+             choices_of(Colour{}).rows},
 };
 
 }  // namespace

@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/model/choices.hpp"
+
 namespace sluice {
 
 /// What a key's value looks like in TOML. A length is a number or a string such as "240+3h".
@@ -42,8 +44,8 @@ struct SceneKey {
   std::string_view
       fallback;  ///< default as TOML text, `required_key`, or empty: may be absent, has no default
   KeyRange range;
-  std::string_view meaning;                        ///< one line of Markdown
-  std::span<const std::string_view> choices = {};  ///< the names that a choice can take
+  std::string_view meaning;                  ///< one line of Markdown
+  std::span<const ChoiceInfo> choices = {};  ///< that there are; their meanings follow that of the key
 
   std::string_view section() const { return path.substr(0, path.rfind('.')); }
   std::string_view name() const { return path.substr(path.rfind('.') + 1); }
@@ -85,7 +87,7 @@ std::string element_expectation(const SceneKey& key);
 std::string length_expectation();
 
 /// Names as a list in a sentence: "a", "b" or "c", quoted.
-std::string join_choices(std::span<const std::string_view> choices, std::string_view last_word = "or");
+std::string join_choices(std::span<const ChoiceInfo> choices, std::string_view last_word = "or");
 
 /// The known name nearest to an unknown one in the table `section` (a path as in SceneSection, empty for the
 /// top): of the same table if one is close, else the full path of a key or table of this very name elsewhere,

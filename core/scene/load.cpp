@@ -85,8 +85,8 @@ Scene parse_scene(std::string_view text, const std::string& file, std::span<cons
   apply_overrides(root, overrides);
   check_scene(root);
   Scene scene = build_scene(root, fs::path(file).stem().string(), file);
-  scene.text = text;
-  scene.overrides.assign(overrides.begin(), overrides.end());
+  scene.record.text = text;
+  scene.record.overrides.assign(overrides.begin(), overrides.end());
   return scene;
 }
 

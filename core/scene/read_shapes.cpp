@@ -149,10 +149,12 @@ Container ShapeReader::container(const Place& place) {
     throw refusal(blame({&table.at("max"), &table.at("min"), &spacing_}), place.path + ".max",
                   describe(box.max), fmt::format("more than min {} both ways", describe(box.min)));
   for (const SceneValue& side : table.at("sides").items) {
-    box.left |= side.text == "left";
-    box.right |= side.text == "right";
-    box.bottom |= side.text == "bottom";
-    box.top |= side.text == "top";
+    switch (value_named<Side>(side.text).value()) {
+      case Side::left: box.left = true; break;
+      case Side::right: box.right = true; break;
+      case Side::bottom: box.bottom = true; break;
+      case Side::top: box.top = true; break;
+    }
   }
   Vec2 n = (box.max - box.min) / h_ + 1.0;
   add_samples(place, box.layers * (n.y * (box.left + box.right) + n.x * (box.bottom + box.top)));

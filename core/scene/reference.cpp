@@ -72,12 +72,25 @@ std::string_view type_name(KeyType type) {
 
 std::string allowed_text(const SceneKey& key) {
   std::string text;
-  for (const std::string_view name : key.choices)
-    text += fmt::format("{}`\"{}\"`", text.empty() ? "" : ", ", name);
+  for (const ChoiceInfo& choice : key.choices)
+    text += fmt::format("{}`\"{}\"`", text.empty() ? "" : ", ", choice.name);
   if (key.choices.empty()) text = range_text(key.range);
   for (std::string_view lead : {" ", "of "})  // " of at least 1" follows a noun elsewhere
     if (text.starts_with(lead)) text.erase(0, lead.size());
   return text;
+}
+
+/// What the key means, and each of its choices.
+std::string meaning_text(const SceneKey& key) {
+  std::string text(key.meaning);
+  for (const ChoiceInfo& choice : key.choices) {
+    text += fmt::format("{}\"{}\": {}",
+                        text.empty()                    ? ""
+                        : &choice == key.choices.data() ? " "
+                                                        : "; ",
+                        choice.name, choice.meaning);
+  }
+  return key.choices.empty() ? text : text + '.';
 }
 
 std::string default_text(const SceneKey& key) {
@@ -95,7 +108,7 @@ std::string section_text(const SceneSection& section) {
   for (const SceneKey& key : scene_keys()) {
     if (key.section() != section.path) continue;
     text += fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", key.name(), type_name(key.type), key.unit,
-                        default_text(key), allowed_text(key), key.meaning);
+                        default_text(key), allowed_text(key), meaning_text(key));
   }
   return text;
 }
@@ -115,11 +128,11 @@ size_t edit_distance(std::string_view a, std::string_view b) {
 
 }  // namespace
 
-std::string join_choices(std::span<const std::string_view> names, std::string_view last_word) {
+std::string join_choices(std::span<const ChoiceInfo> choices, std::string_view last_word) {
   std::string text;
-  for (size_t i = 0; i < names.size(); ++i) {
-    if (i > 0) text += i + 1 == names.size() ? fmt::format(" {} ", last_word) : ", ";
-    text += fmt::format("\"{}\"", names[i]);
+  for (size_t i = 0; i < choices.size(); ++i) {
+    if (i > 0) text += i + 1 == choices.size() ? fmt::format(" {} ", last_word) : ", ";
+    text += fmt::format("\"{}\"", choices[i].name);
   }
   return text;
 }

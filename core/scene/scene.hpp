@@ -5,7 +5,6 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <variant>
@@ -65,11 +64,6 @@ struct BoundaryShape {
   std::string key, where;
 };
 
-enum class BoundaryModel { none, mirror, akinci };
-enum class ViscosityModel { none, laplacian, xsph };
-enum class PressureMethod { ssph, wcsph, iisph };
-enum class Colour { speed, density, pressure };
-
 struct Ssph {
   double stiffness = 0;  ///< k
 };
@@ -97,11 +91,16 @@ struct AdaptiveStep {
   double dt_min = 0, dt_max = 0;
 };
 
-struct Scene {
-  std::string name;                    ///< file name without folder and ending
-  std::string file;                    ///< as it was given or found, for messages
+/// What a run says of its scene, and another run can be made from.
+struct SceneRecord {
   std::string text;                    ///< what was in the file
   std::vector<std::string> overrides;  ///< KEY=VALUE changes that were made to it
+  std::string settings;                ///< core/scene/settings.hpp reads it
+};
+
+struct Scene {
+  std::string name;  ///< file name without folder and ending
+  std::string file;  ///< as it was given or found, for messages
   std::string title;
   std::string source;
 
@@ -130,7 +129,8 @@ struct Scene {
   std::optional<Wcsph> wcsph;
   Iisph iisph;
 
-  double dt = 0;                         ///< already that of the chosen method; dt_max where it adapts
+  double dt = 0;       ///< already that of the chosen method; dt_max where it adapts
+  std::string dt_key;  ///< of the smallest step: "time.dt", "pressure.iisph.dt", "time.dt_min"
   std::optional<AdaptiveStep> adaptive;  ///< with time.cfl
   double duration = 0;
 
@@ -140,7 +140,7 @@ struct Scene {
 
   std::string
       spacing_where;  ///< FILE:LINE:COLUMN of particles.spacing, for "needs more memory than there is"
-  nlohmann::ordered_json settings;  ///< every key as run, defaults filled in, in the order of the key table
+  SceneRecord record;
 
   double smoothing_length() const { return smoothing * spacing; }   ///< H
   double mass() const { return rest_density * spacing * spacing; }  ///< m = rho0 h^2

@@ -6,13 +6,12 @@
 #include <string>
 #include <vector>
 
+#include "core/model/choices.hpp"
 #include "core/model/fields.hpp"
 #include "core/model/params.hpp"
 #include "core/model/stages.hpp"
 
 namespace sluice {
-
-enum class Precision { single_, double_ };
 
 class Backend {
  public:

@@ -26,13 +26,6 @@ std::string stiffness_key(PressureMethod method) {
   return method == PressureMethod::wcsph ? "pressure.wcsph.kappa" : "pressure.ssph.stiffness";
 }
 
-std::string dt_key(const Scene& scene) {
-  if (scene.adaptive) return "time.dt_min";
-  const std::string method(name_of(scene.method));
-  const auto& tables = scene.settings["pressure"];
-  return tables[method].contains("dt") ? "pressure." + method + ".dt" : "time.dt";
-}
-
 std::vector<std::string> beyond_limits(const Scene& scene, const Samples& samples) {
   std::vector<std::string> found;
   if (scene.viscosity_model == ViscosityModel::xsph && scene.viscosity > largest_alpha) {
@@ -41,7 +34,7 @@ std::vector<std::string> beyond_limits(const Scene& scene, const Samples& sample
                     "velocities but overshoots; use a smaller one",
                     scene.viscosity, largest_alpha));
   }
-  const std::string dt = dt_key(scene);
+  const std::string& dt = scene.dt_key;
   const StepBounds bounds = step_bounds(scene, samples);
   const auto durations = [&](const StepBound& bound) { return least_dt(scene) / bound.duration; };
   const auto beyond = [&](const StepBound& bound) { return durations(bound) > bound.largest; };

@@ -15,9 +15,6 @@ inline constexpr double largest_alpha = 2;
 /// The time step, or the smallest one where it adapts.
 double least_dt(const Scene& scene);
 
-/// The key that the time step of this run comes from; where it adapts, the one that it can't go below.
-std::string dt_key(const Scene& scene);
-
 /// The key of a state equation's stiffness.
 std::string stiffness_key(PressureMethod method);
 

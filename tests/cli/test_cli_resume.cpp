@@ -23,7 +23,7 @@ class CliResume : public CheckpointFolder {
 TEST_F(CliResume, ASceneThatIsTheSameIsAccepted) {
   run({"--resume", "a.ckp", "--steps", "5", "--state", "none.csv"});
   run({"breaking_dam", "--resume", "a.ckp", "--steps", "5", "--state", "named.csv"});
-  std::string text = load_scene("breaking_dam").text;
+  std::string text = load_scene("breaking_dam").record.text;
   std::ofstream(folder / "mine.toml") << "# the same scene, with a remark\n" << text;
   run({"mine.toml", "--resume", "a.ckp", "--steps", "5", "--state", "mine.csv"});
   EXPECT_TRUE(bytes("none.csv") == bytes("named.csv"));
@@ -113,7 +113,7 @@ TEST_F(CliResume, NothingIsWrittenOverWhatIsRead) {
   for (const char* option : {"--state", "--series", "--summary", "--record"})
     expect_refused({"breaking_dam", option, "b.ckp", "--checkpoint", "b.ckp"},
                    {option, "b.ckp", "--checkpoint"});
-  std::ofstream(folder / "mine.toml") << load_scene("breaking_dam").text;
+  std::ofstream(folder / "mine.toml") << load_scene("breaking_dam").record.text;
   expect_refused({"mine.toml", "--checkpoint", "mine.toml"}, {"mine.toml", "the scene"});
   EXPECT_EQ(bytes("a.ckp"), before);
   EXPECT_EQ(names_in(folder.path), (Words{"a.ckp", "mine.toml"}));

@@ -6,8 +6,10 @@
 #include <array>
 #include <fstream>
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "core/error.hpp"
+#include "core/scene/settings.hpp"
 #include "media/recording.hpp"
 #include "tests/support/recorded.hpp"
 #include "tests/support/run_program.hpp"
@@ -51,7 +53,7 @@ TEST_P(RecordingOf, EveryBitComesBackInAnyOrder) {
   const media::Recording recording(path);
   ASSERT_EQ(recording.frames(), written.moments.size());
   EXPECT_EQ(recording.precision(), GetParam());
-  EXPECT_EQ(recording.scene().settings, written.scene.settings);
+  EXPECT_EQ(settings_of(recording.scene()), settings_of(written.scene));
   EXPECT_EQ(recording.samples().fluid, written.samples.fluid);
   EXPECT_EQ(recording.samples().boundary, written.samples.boundary);
   for (const size_t k : {13u, 0u, 12u, 5u, 6u, 1u}) {
@@ -206,7 +208,7 @@ TEST_F(DamagedRecording, AnotherKindOfFileIsNamedSo) {
 
 TEST_F(DamagedRecording, ASceneInsideThatThisVersionDoesNotKnowIsNamed) {
   Scene strange = written.scene;
-  strange.text.replace(strange.text.find("spacing"), 7, "spacung");
+  strange.record.text.replace(strange.record.text.find("spacing"), 7, "spacung");
   media::RecordingWriter writer(folder / "strange.rec", strange, Precision::single_, "a test");
   add(writer, written.moments[0]);
   writer.commit();
@@ -240,7 +242,7 @@ TEST_F(DamagedRecording, APrecisionThatThereIsNotIsRefused) {
 TEST_F(DamagedRecording, ALineBreakInTheNameOfTheSceneStaysOutOfTheMessage) {
   Scene strange = written.scene;
   strange.file = "a\nb.toml";
-  strange.text = "a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a = 1";
+  strange.record.text = "a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a = 1";
   media::RecordingWriter writer(folder / "strange.rec", strange, Precision::single_, "a test");
   add(writer, written.moments[0]);
   writer.commit();

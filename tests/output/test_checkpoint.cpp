@@ -5,9 +5,11 @@
 
 #include <fstream>
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "core/error.hpp"
 #include "core/output/checkpoint.hpp"
+#include "core/scene/settings.hpp"
 #include "media/recording.hpp"
 #include "tests/support/message_of.hpp"
 #include "tests/support/recorded.hpp"
@@ -56,8 +58,8 @@ TEST(Checkpoint, EveryBitComesBack) {
     const Saved saved(folder / "a.ckp", precision);
     const Checkpoint found = read_checkpoint(folder / "a.ckp");
     EXPECT_EQ(found.precision, precision);
-    EXPECT_EQ(found.scene.settings, saved.scene.settings);
-    EXPECT_EQ(found.scene.overrides, saved.scene.overrides);
+    EXPECT_EQ(settings_of(found.scene), settings_of(saved.scene));
+    EXPECT_EQ(found.scene.record.overrides, saved.scene.record.overrides);
     EXPECT_EQ(found.scene.name, "breaking_dam");
     EXPECT_EQ(found.state.clock.steps, 5u);
     EXPECT_GT(found.state.v[3].y, -100);
@@ -247,8 +249,8 @@ TEST_F(DamagedCheckpoint, AHeaderThatIsNoneIsRefused) {
 TEST_F(DamagedCheckpoint, ASceneInsideThatCannotBeRunIsNamed) {
   const auto with_scene = [&](const std::string& found, const std::string& instead) {
     Scene strange = saved.scene;
-    strange.overrides.clear();
-    strange.text.replace(strange.text.find(found), found.size(), instead);
+    strange.record.overrides.clear();
+    strange.record.text.replace(strange.record.text.find(found), found.size(), instead);
     CheckpointWriter(folder / "strange.ckp", strange, Precision::single_, "a test")
         .write(saved.state, saved.counts);
     return refusal_of(folder / "strange.ckp");

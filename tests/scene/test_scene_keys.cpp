@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
 
 #include "core/scene/keys.hpp"
 #include "core/scene/load.hpp"
+#include "core/scene/settings.hpp"
 #include "core/scene/tree.hpp"
 
 namespace sluice {
@@ -63,7 +65,7 @@ TEST(SceneKeys, DefaultsAreGoodValues) {
     std::string path(key.path);
     if (size_t array = path.find("[]"); array != path.npos) path.replace(array, 2, ".0");
     std::vector<std::string> overrides{path + "=" + std::string(key.fallback)};
-    EXPECT_EQ(parse_scene(text, "t.toml", overrides).settings, plain.settings) << overrides[0];
+    EXPECT_EQ(settings_of(parse_scene(text, "t.toml", overrides)), settings_of(plain)) << overrides[0];
     ++defaults;
   }
   EXPECT_GT(defaults, 20u);
@@ -137,7 +139,7 @@ TEST(SceneKeys, Expectations) {
   EXPECT_EQ(with_range(KeyType::number, {.low = 1, .high = 2}), "a number from 1 to 2");
   EXPECT_EQ(with_range(KeyType::number, {.low = 1, .high = 2, .high_excluded = true}),
             "a number of at least 1 and less than 2");
-  constexpr std::string_view choices[]{"a", "c", "d"};
+  constexpr ChoiceInfo choices[]{{"a", "a", ""}, {"c", "c", ""}, {"d", "d", ""}};
   EXPECT_EQ(join_choices(choices), "\"a\", \"c\" or \"d\"");
 }
 

@@ -1,10 +1,12 @@
 // --set KEY=VALUE: what it changes, that the order of keys doesn't matter, and how its mistakes are reported.
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "core/scene/load.hpp"
+#include "core/scene/settings.hpp"
 
 namespace sluice {
 namespace {
@@ -118,8 +120,8 @@ TEST(SceneOverrides, SettingTheTimeStepRemovesEveryMethodsOwn) {
                                  Overrides{"pressure.ssph.dt=0.5", "time.dt=0.02", "pressure.method=ssph"}}) {
     Scene scene = with(order);
     EXPECT_EQ(scene.dt, 0.02);
-    EXPECT_FALSE(scene.settings["pressure"]["ssph"].contains("dt"));
-    EXPECT_FALSE(scene.settings["pressure"]["iisph"].contains("dt"));
+    EXPECT_FALSE(settings_of(scene)["pressure"]["ssph"].contains("dt"));
+    EXPECT_FALSE(settings_of(scene)["pressure"]["iisph"].contains("dt"));
   }
   EXPECT_EQ(with({"time={dt=0.02, duration=1}"}).dt, 0.02);
   EXPECT_EQ(with({"time.duration=1"}).dt, 0.03) << "only time.dt does that";
@@ -134,8 +136,8 @@ TEST(SceneOverrides, OfTimeStepAndCflTheLaterWins) {
     EXPECT_EQ(scene.adaptive->cfl, 0.4);
     EXPECT_EQ(scene.adaptive->dt_min, 1e-3);
     EXPECT_EQ(scene.adaptive->dt_max, 1);
-    EXPECT_FALSE(scene.settings["time"].contains("dt"));
-    EXPECT_EQ(scene.settings["time"]["cfl"], 0.4);
+    EXPECT_FALSE(settings_of(scene)["time"].contains("dt"));
+    EXPECT_EQ(settings_of(scene)["time"]["cfl"], 0.4);
   }
   EXPECT_FALSE(with({}).adaptive);
   for (const Overrides& order :

@@ -5,8 +5,10 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "core/scene/settings.hpp"
 #include "studies/validation_drops.hpp"
 #include "tests/support/recorded.hpp"
 #include "tests/support/run_program.hpp"
@@ -259,7 +261,7 @@ TEST(DropCases, AllRunTheirMethodAndStepsShrinkWithTheSpacing) {
       for (const int n : {20, 40, 80}) {
         const Scene scene = shipped("validation/" + known.name, variant.overrides(n));
         const std::string method = variant.name.substr(0, variant.name.find('_'));
-        EXPECT_EQ(scene.settings["pressure"]["method"], method);
+        EXPECT_EQ(settings_of(scene)["pressure"]["method"], method);
         EXPECT_EQ(scene.smoothing, variant.name.ends_with("_smoothed") ? 1.2 : 1.0);
         EXPECT_EQ(variant.name.ends_with("_lattice"), scene.jitter == 0);
         steps[n] = scene.dt;

@@ -7,10 +7,12 @@
 #include <cmath>
 #include <fstream>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "core/scene/load.hpp"
 #include "core/scene/sampling.hpp"
+#include "core/scene/settings.hpp"
 #include "media/recording.hpp"
 #include "studies/validation_waters.hpp"
 #include "tests/support/run_program.hpp"
@@ -44,7 +46,7 @@ class MadeUpRun {
   }
 
   Result result(double time) const {
-    return {point_, files_, {{"settings", scene.settings}, {"time", time}, {"fluid", start.size()}}};
+    return {point_, files_, {{"settings", settings_of(scene)}, {"time", time}, {"fluid", start.size()}}};
   }
 
  private:

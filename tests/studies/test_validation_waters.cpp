@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "core/error.hpp"
 #include "core/scene/load.hpp"
 #include "core/scene/sampling.hpp"
+#include "core/scene/settings.hpp"
 #include "studies/validation_waters.hpp"
 
 namespace sluice::test {
@@ -201,8 +203,8 @@ TEST(ScenesWithWalls, AreShippedAsTheStudyRunsThemAtForty) {
       const Scene shipped = load_scene(name, chosen), run = load_scene(name, variant->overrides(40));
       EXPECT_EQ(shipped.method, run.method);
       EXPECT_NEAR(shipped.dt, run.dt, 1e-12);
-      EXPECT_EQ(shipped.settings["pressure"]["iisph"], run.settings["pressure"]["iisph"]);
-      EXPECT_EQ(shipped.settings["particles"]["smoothing"], run.settings["particles"]["smoothing"]);
+      EXPECT_EQ(settings_of(shipped)["pressure"]["iisph"], settings_of(run)["pressure"]["iisph"]);
+      EXPECT_EQ(settings_of(shipped)["particles"]["smoothing"], settings_of(run)["particles"]["smoothing"]);
     }
   }
 }

@@ -1,4 +1,5 @@
 // Mutants of checkpoints: of the whole file, or of its header or its numbers with the rest made to fit.
+#include <algorithm>
 #include <cmath>
 
 #include "core/output/checkpoint.hpp"

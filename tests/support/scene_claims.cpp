@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <nlohmann/json.hpp>
 
 #include "core/error.hpp"
 #include "core/scene/load.hpp"
 #include "core/scene/sampling.hpp"
+#include "core/scene/settings.hpp"
 #include "core/scene/shapes.hpp"
 #include "core/solver/memory.hpp"
 
@@ -97,7 +99,7 @@ std::string not_finite(const Scene& scene) {
   finite("dt", scene.dt);
   finite("duration", scene.duration);
   finite("fps", scene.fps);
-  finite("settings", scene.settings);
+  finite("settings", settings_of(scene));
   return finite.found;
 }
 

@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "core/error.hpp"
 #include "core/scene/load.hpp"
+#include "core/scene/settings.hpp"
 #include "core/text.hpp"
 
 namespace sluice::app {
@@ -51,7 +53,7 @@ Scene load_choice(const Choice& choice) {
   } else {
     overrides.push_back(fmt::format("time.dt={:.17g}", dt * choice.dt_factor));
   }
-  if (choice.refinement != 1) scale_counts(scene.settings, choice.refinement, overrides);
+  if (choice.refinement != 1) scale_counts(settings_of(scene), choice.refinement, overrides);
   return load_scene(choice.scene, overrides);
 }
 
