@@ -202,6 +202,29 @@ void declare_scene(CLI::App& app, std::string& scene, std::vector<std::string>& 
   declare_overrides(app, overrides);
 }
 
+/// Takes a set of instructions that this processor and this build have.
+void use_instructions(cpu::Instructions instructions, MachineOptions& options) {
+  const std::vector<cpu::Instructions> available = cpu::available_instructions();
+  if (!std::ranges::count(available, instructions)) {
+    throw InputError(
+        fmt::format("--instructions: found \"{}\", which this processor, or this build, does not have; "
+                    "expected one of {}",
+                    name_of(instructions), cpu::names_of(available)));
+  }
+  options.instructions = instructions;
+}
+
+void declare_instructions(CLI::App& app, MachineOptions& options) {
+  std::vector<std::pair<std::string, cpu::Instructions>> choices;
+  for (size_t i = 0; i < cpu::instruction_names.size(); ++i)
+    choices.emplace_back(cpu::instruction_names[i], static_cast<cpu::Instructions>(i));
+  add_choice<cpu::Instructions>(
+      app, "--instructions", [&](cpu::Instructions instructions) { use_instructions(instructions, options); },
+      std::move(choices),
+      "Stages of the CPU backend: plain, which read like the shaders, or faster ones for a set of "
+      "instructions: baseline, avx2, avx512; the widest if not given. Results do not depend on it");
+}
+
 void declare_threads(CLI::App& app, MachineOptions& options) {
   options.threads = cpu::hardware_threads();
   add_number<int>(
@@ -209,6 +232,11 @@ void declare_threads(CLI::App& app, MachineOptions& options) {
       [&](int threads) { options.threads = threads; },
       "Threads of the CPU backend; results do not depend on it")
       ->type_name("N");
+}
+
+void declare_cpu_options(CLI::App& app, MachineOptions& options) {
+  declare_threads(app, options);
+  declare_instructions(app, options);
 }
 
 void declare_machine(CLI::App& app, MachineOptions& options) {
@@ -220,7 +248,7 @@ void declare_machine(CLI::App& app, MachineOptions& options) {
       app, "--precision", [&](Precision precision) { options.precision = precision; },
       {{"float", Precision::single_}, {"double", Precision::double_}},
       "float (default) or double; double runs on the CPU");
-  declare_threads(app, options);
+  declare_cpu_options(app, options);
 }
 
 void declare_shader_dir(CLI::App& app, MachineOptions& options) {
@@ -242,7 +270,7 @@ void declare_gl_options(CLI::App& app, MachineOptions& options) {
 
 void declare_agree_options(CLI::App& app, AgreeOptions& options) {
   declare_scene(app, options.scene, options.overrides);
-  declare_threads(app, options.machine);
+  declare_cpu_options(app, options.machine);
   declare_gl_options(app, options.machine);
   add_number<uint64_t>(
       app, "--steps", "a whole number from 1 on", [](uint64_t steps) { return steps > 0; },
