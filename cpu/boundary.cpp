@@ -15,8 +15,8 @@ namespace sluice::cpu::SLUICE_SET {
 template <class Real>
 void boundary(State<Real>& state) {
   const ParamsOf<Real> params = state.params;  // a copy, which no store can change
-  for_each_index(params.n, state.threads,
-                 [&](size_t i) { set_wall_sums(state, params, i, wall_sums_at(state, params, state.x[i])); });
+  const auto set = wall_sums_setter(state, params);
+  for_each_index(params.n, state.threads, [&](size_t i) { set(i, wall_sums_at(state, params, state.x[i])); });
 }
 
 }  // namespace sluice::cpu::SLUICE_SET

@@ -38,14 +38,17 @@ WallSums<Real> wall_sums_at(const State<Real>& state, const ParamsOf<Real>& para
   return sums;
 }
 
-/// Stores the sums of particle i.
+/// A function that stores the sums of particle i: set(i, sums).
 template <class Real>
-void set_wall_sums(State<Real>& state, const ParamsOf<Real>& params, size_t i, const WallSums<Real>& sums) {
-  state.wall_density[i] = params.wall_mass * sums.W;
-  state.wall_gradient[i] = params.wall_gradient_mass * sums.gradient;
-  if (state.needs.linear_system && state.needs.thesis_wall)
-    state.wall_gradient_squares[i] = params.m * params.m * sums.squares;
-  if (state.needs.laplacian) state.wall_viscosity[i] = params.wall_mass * sums.tensor;
+auto wall_sums_setter(State<Real>& state, const ParamsOf<Real>& params) {
+  const bool viscous = state.needs.laplacian;
+  const bool needs_squares = state.needs.linear_system && state.needs.thesis_wall;
+  return [=, &state, &params](size_t i, const WallSums<Real>& sums) {
+    state.wall_density[i] = params.wall_mass * sums.W;
+    state.wall_gradient[i] = params.wall_gradient_mass * sums.gradient;
+    if (needs_squares) state.wall_gradient_squares[i] = params.m * params.m * sums.squares;
+    if (viscous) state.wall_viscosity[i] = params.wall_mass * sums.tensor;
+  };
 }
 
 }  // namespace sluice::cpu::SLUICE_SET

@@ -24,13 +24,13 @@ bool near_boundary(const State<Real>& state, const ParamsOf<Real>& params, size_
 template <class Real>
 void boundary(State<Real>& state) {
   const ParamsOf<Real> params = state.params;  // a copy, which no store can change
+  const auto set = wall_sums_setter(state, params);
   for_each_index((params.n + slice_width - 1) / slice_width, state.threads, [&](size_t slice) {
     const size_t first = slice * slice_width, last = std::min<size_t>(first + slice_width, params.n);
     if (near_boundary(state, params, first, last)) {
-      for (size_t i = first; i < last; ++i)
-        set_wall_sums(state, params, i, wall_sums_at(state, params, state.x[i]));
+      for (size_t i = first; i < last; ++i) set(i, wall_sums_at(state, params, state.x[i]));
     } else {
-      for (size_t i = first; i < last; ++i) set_wall_sums(state, params, i, WallSums<Real>{});
+      for (size_t i = first; i < last; ++i) set(i, WallSums<Real>{});
     }
   });
 }

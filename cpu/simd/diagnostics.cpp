@@ -28,7 +28,7 @@ void shares_of(const State<Real>& state, const auto& i, size_t place, auto& shar
     shares.set(Total::wall_force_y, place, force.y);
   }
   const auto is_lost = (x.x < Real(0)) | (x.x > params.extent.x) | (x.y < Real(0));
-  shares.set(Total::lost, place, select(is_lost, broadcast(Real(1)), broadcast(Real(0))));
+  shares.set(Total::lost, place, select(is_lost, broadcast(Real(1)), Vector<Real>{}));
   shares.set(Total::max_compression, place, compression);
   shares.set(Total::max_speed_squared, place, speed_squared);
   shares.set(Total::max_speed_change_squared, place, dot(change, change));

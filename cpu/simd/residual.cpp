@@ -9,7 +9,7 @@ namespace {
 template <class Real>
 void shares_in_error(const State<Real>& state, const auto& i, size_t place, auto& shares) {
   const auto A = i(state.A_ii), q = i(state.q), s = i(state.s), Ap = i(state.Ap);
-  const auto zero = broadcast(Real(0));
+  const Vector<Real> zero{};
   const auto counts = A != zero;
   const auto r = s - Ap;
   const auto stays = counts & ~(q + state.params.omega * r / A < zero);
@@ -22,7 +22,7 @@ void shares_in_error(const State<Real>& state, const auto& i, size_t place, auto
 template <class Real>
 void shares_in_step(const State<Real>& state, const auto& i, size_t place, auto& shares) {
   const auto A = i(state.A_ii);
-  const auto zero = broadcast(Real(0));
+  const Vector<Real> zero{};
   const auto counts = A != zero;
   const auto S = i(state.q) - i(state.q_before), change = i(state.Ap_before) - i(state.Ap);  // -A_ii Y
   shares.set(ResidualSum::SS, place, select(counts, -(S * S * A), zero));
