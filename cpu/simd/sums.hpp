@@ -163,16 +163,17 @@ template <class Real, size_t count, class Term, class Finish, class Fetch = Pref
 void sum_over_neighbours(const State<Real>& state, Range part, const std::array<Real, count>& start,
                          const Term& term, const Finish& finish, Fetch fetch = {}) {
   const Real* gradient = state.gradient.data();
-  for_each_group<Real>(part, [&](const auto& i) {
-    std::array<Vector<Real>, count> sums;
-    for (size_t c = 0; c < count; ++c) sums[c] = broadcast(start[c]);
-    walk(state, i, fetch, [&](uint64_t block, const Particles<Real>& j, auto there) {
-      const Pair<Vector<Real>> dW{load(gradient + block), load(gradient + block + slice_width)};
-      const auto terms = term(i, j, dW);
-      for (size_t c = 0; c < count; ++c) sums[c] += select(there, terms[c], Vector<Real>{});
-    });
-    finish(i, sums);
-  });
+  for_each_group<Real>(
+      part, [&](const auto& i) __attribute__((always_inline)) {
+        std::array<Vector<Real>, count> sums;
+        for (size_t c = 0; c < count; ++c) sums[c] = broadcast(start[c]);
+        walk(state, i, fetch, [&](uint64_t block, const Particles<Real>& j, auto there) {
+          const Pair<Vector<Real>> dW{load(gradient + block), load(gradient + block + slice_width)};
+          const auto terms = term(i, j, dW);
+          for (size_t c = 0; c < count; ++c) sums[c] += select(there, terms[c], Vector<Real>{});
+        });
+        finish(i, sums);
+      });
 }
 
 /// The same for all particles.
