@@ -82,7 +82,7 @@ TEST(CliBackend, AnyInstructionsGiveTheSameState) {
     const std::string name(name_of(each));
     const ProgramResult result = run({"--backend", "cpu", "--instructions", name, "--state", folder / name});
     EXPECT_EQ(result.code, 0) << result.err;
-    const std::string state = text_of(folder / name);
+    const std::string state = read_file(folder / name);
     EXPECT_FALSE(state.empty());
     if (expected.empty()) expected = state;
     EXPECT_EQ(state, expected) << name;
