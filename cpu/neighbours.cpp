@@ -21,7 +21,7 @@ uint32_t count_neighbours(const State<Real>& state, size_t i) {
     if (candidates > most_rounds) return;
     for (uint32_t j = first; j < last; ++j) {
       const glm::vec<2, Real> x_ij = x_i - state.x[j];
-      found += glm::dot(x_ij, x_ij) < state.params.support_squared && j != i;
+      found += uint32_t{glm::dot(x_ij, x_ij) < state.params.support_squared} & uint32_t{j != i};
     }
   });
   return candidates > most_rounds ? list_beyond_bounds : found;
