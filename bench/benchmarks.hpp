@@ -11,6 +11,9 @@ namespace sluice::bench {
 /// each.
 void add_stage_benchmarks(const CaseKey& key, const std::shared_ptr<CaseStore>& store);
 
+/// A sweep of IISPH's pressure solve.
+void add_sweep_benchmark(const CaseKey& key, const std::shared_ptr<CaseStore>& store);
+
 /// Whole steps; for IISPH also sweeps, and for one thread in float beside them the yardstick's.
 void add_step_benchmarks(const CaseKey& key, const std::shared_ptr<CaseStore>& store);
 

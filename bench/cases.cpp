@@ -23,7 +23,7 @@ double spacing_for(uint32_t size) {
 }
 
 std::unique_ptr<Backend> make_backend(const CaseKey& key, const gpu::Context* context) {
-  if (key.machine == Machine::cpu) return cpu::make_backend(key.precision, key.threads);
+  if (key.machine == Machine::cpu) return cpu::make_backend(key.precision, key.threads, key.instructions);
   if (context == nullptr || key.precision != Precision::single_)
     throw std::logic_error(key.name() + " wants an OpenGL context and float");
   return gpu::make_backend(*context);
@@ -46,8 +46,10 @@ std::string size_text(uint32_t size) {
 }
 
 std::string CaseKey::name() const {
+  const std::string set =
+      instructions == cpu::widest_instructions() ? "" : fmt::format("-{}", name_of(instructions));
   return fmt::format("{}/{}/{}/{}", name_of(method), size_text(size), name_of(precision),
-                     machine == Machine::gpu ? "gpu" : std::to_string(threads));
+                     machine == Machine::gpu ? "gpu" : std::to_string(threads) + set);
 }
 
 Scene make_scene(const CaseKey& key) {

@@ -12,6 +12,7 @@
 #include "core/model/params.hpp"
 #include "core/scene/sampling.hpp"
 #include "core/solver/simulator.hpp"
+#include "cpu/backend.hpp"
 
 namespace sluice::gpu {
 class Context;
@@ -27,9 +28,10 @@ struct CaseKey {
   Precision precision = Precision::single_;
   int threads = 1;  ///< of the CPU backend
   Machine machine = Machine::cpu;
+  cpu::Instructions instructions = cpu::widest_instructions();  ///< of the CPU backend
 
   bool operator==(const CaseKey&) const = default;
-  /// "iisph/1k/float/2", "iisph/1k/float/gpu"
+  /// "iisph/1k/float/2", "iisph/1k/float/gpu"; "iisph/1k/float/2-plain" unless with the widest instructions
   std::string name() const;
 };
 

@@ -2,6 +2,9 @@
 // Times every stage, sweeps and whole steps on the CPU. --million adds a million particles (minutes more),
 // --markdown writes the tables of docs/benchmarks/cpu.md.
 //
+// sluice_bench --plain FILE [Google Benchmark's options]
+// Times every plain stage of the CPU beside the one for the widest instructions, and writes a table of that.
+//
 // sluice_bench --gpu [--pages FOLDER] [--tests LOG] [--agreement FILE]...
 // Times the same on the GPU, with whatever sizes it holds, and writes FOLDER/<name of the GPU>.md or prints
 // it, with the result of the tests in ctest's LOG and of each `sluice agree --summary FILE`. Exit code 1 when
@@ -15,6 +18,7 @@
 
 #include "bench/benchmarks.hpp"
 #include "bench/gpu_report.hpp"
+#include "bench/plain_report.hpp"
 #include "bench/report.hpp"
 
 namespace sluice::bench {
@@ -22,7 +26,7 @@ namespace {
 
 struct Options {
   bool million = false;
-  std::string markdown;
+  std::string markdown, plain;
   bool on_gpu = false;
   GpuOptions gpu;
   std::vector<char*> rest;  ///< for Google Benchmark
@@ -41,6 +45,8 @@ Options parse(int argc, char** argv) {
       options.on_gpu = true;
     else if (word == "--markdown" && has_value)
       options.markdown = argv[++i];
+    else if (word == "--plain" && has_value)
+      options.plain = argv[++i];
     else if (word == "--pages" && has_value)
       options.gpu.pages = argv[++i];
     else if (word == "--tests" && has_value)
@@ -73,13 +79,25 @@ void add_benchmarks(bool million) {
   }
 }
 
+/// Returns an exit code.
+int write(const std::string& path, const std::string& text) {
+  std::ofstream file(path);
+  file << text;
+  if (file.flush()) return 0;
+  fmt::print(stderr, "sluice_bench: cannot write {}\n", path);
+  return 1;
+}
+
 int run(int argc, char** argv) {
   Options options = parse(argc, argv);
   int rest = static_cast<int>(options.rest.size());
   benchmark::Initialize(&rest, options.rest.data());
   if (benchmark::ReportUnrecognizedArguments(rest, options.rest.data())) return 2;
   if (options.on_gpu) return report_gpu(options.gpu) ? 0 : 1;
-  add_benchmarks(options.million);
+  if (options.plain.empty())
+    add_benchmarks(options.million);
+  else
+    add_plain_benchmarks();
   Collector collector;
   benchmark::RunSpecifiedBenchmarks(&collector);
   benchmark::Shutdown();
@@ -87,15 +105,8 @@ int run(int argc, char** argv) {
     fmt::print(stderr, "sluice_bench: a benchmark failed, see above\n");
     return 1;
   }
-  if (!options.markdown.empty()) {
-    std::ofstream file(options.markdown);
-    file << collector.markdown();
-    if (!file.flush()) {
-      fmt::print(stderr, "sluice_bench: cannot write {}\n", options.markdown);
-      return 1;
-    }
-  }
-  return 0;
+  if (!options.plain.empty()) return write(options.plain, plain_tables(collector));
+  return options.markdown.empty() ? 0 : write(options.markdown, collector.markdown());
 }
 
 }  // namespace

@@ -19,10 +19,11 @@ class Collector : public benchmark::ConsoleReporter {
   /// Machine, copy bandwidth, sweeps, steps and stages; what was not measured is left out or stands as a
   /// dash.
   std::string markdown() const;
+  /// The counter of a benchmark; NaN when it was not run.
+  double number(const std::string& name, const std::string& counter) const;
 
  private:
   std::string wcsph_tables() const;
-  double number(const std::string& name, const std::string& counter) const;
 
   std::map<std::string, std::map<std::string, double>> best_;  ///< counters by the benchmark's name
   std::size_t repetitions_ = 1;

@@ -67,6 +67,10 @@ void time_wcsph_yardstick(benchmark::State& state, Case& subject) {
 
 }  // namespace
 
+void add_sweep_benchmark(const CaseKey& key, const std::shared_ptr<CaseStore>& store) {
+  add(key, "sweep", [=](benchmark::State& state) { time_sweep(state, store->frozen(key)); });
+}
+
 void add_step_benchmarks(const CaseKey& key, const std::shared_ptr<CaseStore>& store) {
   // A fixed number: a step moves the fluid on, so that more of them are not the same ones again.
   add(key, "step", [=](benchmark::State& state) {
@@ -79,7 +83,7 @@ void add_step_benchmarks(const CaseKey& key, const std::shared_ptr<CaseStore>& s
     })->Iterations(key.size <= 10'000 ? 50 : 4);
   }
   if (key.method != PressureMethod::iisph) return;
-  add(key, "sweep", [=](benchmark::State& state) { time_sweep(state, store->frozen(key)); });
+  add_sweep_benchmark(key, store);
   if (is_plain) {
     add(key, "yardstick", [=](benchmark::State& state) { time_yardstick(state, store->frozen(key)); });
   }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <omp.h>
 
+#include <algorithm>
 #include <chrono>
 #include <fstream>
 #include <new>
@@ -11,8 +12,8 @@
 #include <type_traits>
 
 #include "core/error.hpp"
-#include "cpu/sets.hpp"
-#include "cpu/sweep.hpp"
+#include "cpu/simd/sweep.hpp"
+#include "cpu/stage_functions.hpp"
 
 namespace sluice::cpu {
 namespace {
@@ -62,7 +63,7 @@ template <class Real>
 class CpuBackend final : public Backend {
  public:
   CpuBackend(int threads, Instructions instructions)
-      : threads_(threads), stages_(stages_for<Real>(instructions)) {}
+      : threads_(threads), stages_(functions_with<Real>(instructions)) {}
 
   void allocate(FieldSet fields, const Sizes& sizes) override {
     state_.sizes = sizes;
@@ -168,10 +169,11 @@ class CpuBackend final : public Backend {
  private:
   static constexpr uint64_t particles_per_thread = 1500;
 
-  /// Two of the stages go over the list together.
+  /// Two of the stages go over the list together, where they can be run part by part.
   void run_sweep(const std::vector<Stage>& stages) override {
     for (size_t s = 0; s < stages.size(); ++s) {
-      const bool together = stages[s] == Stage::pressure_acceleration && s + 1 < stages.size() &&
+      const bool together = stages_.pressure_acceleration != nullptr &&
+                            stages[s] == Stage::pressure_acceleration && s + 1 < stages.size() &&
                             stages[s + 1] == Stage::pressure_operator;
       if (!together) {
         run(stages[s]);
@@ -187,31 +189,57 @@ class CpuBackend final : public Backend {
   double& time_of(Stage stage) { return seconds_[static_cast<uint32_t>(stage)]; }
 
   int threads_;
-  const StageFunctions<Real>& stages_;
+  StageFunctions<Real> stages_;
   State<Real> state_;
   std::array<double, stage_count> seconds_{};
 };
 
+#if defined(__x86_64__)
+/// What cpu/simd/instructions.hpp compiles for.
+bool processor_knows(Instructions instructions) {
+  const auto all = [](auto... known) { return (... && (known != 0)); };
+  switch (instructions) {
+    case Instructions::avx2:
+      return all(__builtin_cpu_supports("avx2"), __builtin_cpu_supports("bmi2"),
+                 __builtin_cpu_supports("popcnt"));
+    case Instructions::avx512:
+      return all(__builtin_cpu_supports("avx512f"), __builtin_cpu_supports("avx512bw"),
+                 __builtin_cpu_supports("avx512dq"), __builtin_cpu_supports("avx512vl"),
+                 __builtin_cpu_supports("bmi2"), __builtin_cpu_supports("popcnt"));
+    case Instructions::plain:
+    case Instructions::baseline: break;
+  }
+  return true;
+}
+#else
+bool processor_knows(Instructions instructions) { return instructions <= Instructions::baseline; }
+#endif
+
 }  // namespace
 
 std::unique_ptr<Backend> make_backend(Precision precision, int threads, Instructions instructions) {
-  if (instructions > widest_instructions())
+  if (!std::ranges::count(available_instructions(), instructions))
     throw std::invalid_argument("this processor, or this build, does not have these instructions");
   if (precision == Precision::double_) return std::make_unique<CpuBackend<double>>(threads, instructions);
   return std::make_unique<CpuBackend<float>>(threads, instructions);
 }
 
-Instructions widest_instructions() {
-#ifdef SLUICE_WIDE_SETS
-  const auto knows = [](auto... names) { return (... && names); };
-  if (knows(__builtin_cpu_supports("avx512f"), __builtin_cpu_supports("avx512bw"),
-            __builtin_cpu_supports("avx512dq"), __builtin_cpu_supports("avx512vl"),
-            __builtin_cpu_supports("bmi2"), __builtin_cpu_supports("popcnt")))
-    return Instructions::avx512;
-  if (knows(__builtin_cpu_supports("avx2"), __builtin_cpu_supports("bmi2"), __builtin_cpu_supports("popcnt")))
-    return Instructions::avx2;
-#endif
-  return Instructions::baseline;
+std::vector<Instructions> available_instructions() {
+  std::vector<Instructions> available = {Instructions::plain};
+#define SET(set) \
+  if (processor_knows(Instructions::set)) available.push_back(Instructions::set);
+  SLUICE_SIMD_SETS(SET)
+#undef SET
+  return available;
+}
+
+Instructions widest_instructions() { return available_instructions().back(); }
+
+std::string names_of(const std::vector<Instructions>& instructions) {
+  std::string names;
+  for (const Instructions each : instructions)
+    names += fmt::format("{}{}", names.empty() ? "" : ", ", name_of(each));
+  return names;
 }
 
 int hardware_threads() { return omp_get_num_procs(); }

@@ -3,18 +3,32 @@
 #pragma once
 
 #include <memory>
+#include <string>
+#include <vector>
 
+#include "core/model/choices.hpp"
 #include "core/solver/backend.hpp"
 
 namespace sluice::cpu {
 
-/// What a processor may know, each beyond what stands before it.
-enum class Instructions { baseline, avx2, avx512 };
+/// Which functions stages are run with: the plain ones of cpu/, which read like the shaders, or where there
+/// are any those of cpu/simd/ for a set of instructions, each of which knows what stands before it.
+// clang-format off
+#define SLUICE_INSTRUCTIONS(CHOICE)                                             \
+  CHOICE(plain, "plain", "one particle at a time, as in the shaders")           \
+  CHOICE(baseline, "baseline", "what every processor of this kind has")         \
+  CHOICE(avx2, "avx2", "registers of 32 bytes")                                 \
+  CHOICE(avx512, "avx512", "registers of 64 bytes")
+SLUICE_DECLARE_CHOICES(Instructions, SLUICE_INSTRUCTIONS)
+// clang-format on
 
-/// The widest that this processor knows, and this program was built for.
+/// Those that this processor knows and this program was built for, the widest last; `plain` is always there.
+std::vector<Instructions> available_instructions();
 Instructions widest_instructions();
+/// "plain, baseline", for people.
+std::string names_of(const std::vector<Instructions>& instructions);
 
-/// `threads` >= 1. Results depend neither on it nor on the instructions.
+/// `threads` >= 1. Results depend neither on it nor on the instructions, which have to be available.
 std::unique_ptr<Backend> make_backend(Precision precision, int threads,
                                       Instructions instructions = widest_instructions());
 

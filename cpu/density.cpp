@@ -8,27 +8,23 @@
 // along a fixed direction: the particle with the larger id as if it stood ahead in that direction, the other
 // one as if behind. So they part the same way in every run, and momentum is conserved.
 #include "cpu/kernel.hpp"
+#include "cpu/neighbours.hpp"
 #include "cpu/stages.hpp"
-#include "cpu/sums.hpp"
 
 namespace sluice::cpu::SLUICE_SET {
-
 namespace {
 
-/// Replaces the gradients of those lanes of `close` whose particles are neighbours too close to each other.
-/// A lane whose list has ended may hold its own particle.
+/// Gives the neighbours that are too close to particle i the gradient that parts them.
 template <class Real>
-[[gnu::noinline]] void part(State<Real>& state, size_t first, const Indices<Real>& neighbours, uint32_t close,
-                            uint64_t block) {
-  for (uint32_t lane = 0; lane < lane_count<Real>; ++lane) {
-    const size_t i = first + lane;
-    const uint32_t j = neighbours[lane];
-    if ((close >> lane & 1) == 0 || i == j || i >= state.params.n) continue;
-    const auto dW =
-        state.id[i] > state.id[j] ? state.params.parting_gradient : -state.params.parting_gradient;
-    state.gradient[block + lane] = dW.x;
-    state.gradient[block + slice_width + lane] = dW.y;
-  }
+void push_apart(State<Real>& state, size_t i) {
+  const ParamsOf<Real>& params = state.params;
+  for_each_neighbour(state, i, [&](uint64_t entry) {
+    const uint32_t j = state.index[entry];
+    if (!(glm::length(state.x[i] - state.x[j]) < params.coincidence)) return;
+    const auto dW = state.id[i] > state.id[j] ? params.parting_gradient : -params.parting_gradient;
+    state.gradient[gradient_place(entry)] = dW.x;
+    state.gradient[gradient_place(entry) + slice_width] = dW.y;
+  });
 }
 
 }  // namespace
@@ -37,23 +33,22 @@ template <class Real>
 void density(State<Real>& state) {
   const ParamsOf<Real> params = state.params;  // a copy, which no store can change
   const bool walls = state.needs.boundary;
-  for_each_group(state, [&](const auto& i) {
-    const Pair<Vector<Real>> x_i = i(state.x);
-    Vector<Real> sum = broadcast(kernel(params, Real(0)));
-    walk(state, i, [&](uint64_t block, const Particles<Real>& j, auto there) {
-      const auto x_ij = x_i - by_lane::gather(state.x.data(), j.at);  // a gather would wait for the stores
-      const auto r = square_root(dot(x_ij, x_ij));
-      const auto slope = kernel_slope(params, r);
-      store(slope * x_ij.x, &state.gradient[block]);
-      store(slope * x_ij.y, &state.gradient[block + slice_width]);
-      const uint32_t close = bits_below(r, params.coincidence);
-      if (close != 0) [[unlikely]]
-        part(state, i.first, j.at, close, block);
-      sum += those(there, kernel(params, r));
+  for_each_index(params.n, state.threads, [&](size_t i) {
+    Real sum = kernel(params, Real(0));
+    bool coincides = false;
+    for_each_neighbour(state, i, [&](uint64_t entry) {
+      const glm::vec<2, Real> x_ij = state.x[i] - state.x[state.index[entry]];
+      const Real r = glm::length(x_ij);
+      const glm::vec<2, Real> dW = kernel_gradient(params, x_ij, r);
+      coincides = coincides || r < params.coincidence;
+      state.gradient[gradient_place(entry)] = dW.x;
+      state.gradient[gradient_place(entry) + slice_width] = dW.y;
+      sum += kernel(params, r);
     });
-    auto rho = params.m * sum;
-    if (walls) rho += i(state.wall_density);
-    i.set(state.rho, rho);
+    if (coincides) push_apart(state, i);
+    sum = params.m * sum;
+    if (walls) sum += state.wall_density[i];
+    state.rho[i] = sum;
   });
 }
 

@@ -3,49 +3,41 @@
 // squared and change of velocity squared. Densities and pressures are those of the step, positions and
 // velocities those at its end. The force on the walls is minus the boundary term of the pressure force.
 #include "cpu/chunk_sums.hpp"
-#include "cpu/kernel.hpp"
 #include "cpu/stages.hpp"
 #include "cpu/wall.hpp"
 
 namespace sluice::cpu::SLUICE_SET {
-namespace {
-
-template <class Real>
-void shares_of(const State<Real>& state, const auto& i, size_t place, auto& shares) {
-  const ParamsOf<Real>& params = state.params;
-  const auto x = i(state.x_in), v = i(state.v_in);
-  const auto change = v - i(state.v);
-  const auto rho = i(state.rho);
-  const auto compression = positive_part((rho - params.rho0) / params.rho0);
-  const auto speed_squared = dot(v, v);
-  shares.set(Total::density, place, rho);
-  shares.set(Total::compression, place, compression);
-  shares.set(Total::speed_squared, place, speed_squared);
-  shares.set(Total::x, place, x.x);
-  shares.set(Total::y, place, x.y);
-  if (state.needs.boundary) {
-    const auto pressure = wall_pressure_term(params, i(state.q), rho);
-    const auto force = (params.m * pressure) * i(state.wall_gradient);
-    shares.set(Total::wall_force_x, place, force.x);
-    shares.set(Total::wall_force_y, place, force.y);
-  }
-  const auto is_lost = (x.x < Real(0)) | (x.x > params.extent.x) | (x.y < Real(0));
-  shares.set(Total::lost, place, those(is_lost, broadcast(Real(1))));
-  shares.set(Total::max_compression, place, compression);
-  shares.set(Total::max_speed_squared, place, speed_squared);
-  shares.set(Total::max_speed_change_squared, place, dot(change, change));
-}
-
-}  // namespace
 
 template <class Real>
 void diagnostics(State<Real>& state) {
-  sum_over_chunks<total_count>(
-      state, state.diagnostic_sums,
-      [&](const auto& i, size_t place, auto& shares) { shares_of(state, i, place, shares); },
-      [](uint32_t total, Real sum, Real share) {
-        return total < first_max_total ? sum + share : larger(sum, share);
-      });
+  using enum Total;
+  const ParamsOf<Real>& params = state.params;
+  const bool walls = state.needs.boundary;
+  for_each_chunk(params.n, state.threads, [&](size_t chunk, size_t first, size_t last) {
+    ChunkSums<Real, Total> sums;
+    for (size_t i = first; i < last; ++i) {
+      const glm::vec<2, Real> x_i = state.x_in[i], v_i = state.v_in[i], change_i = v_i - state.v[i];
+      const Real rho_i = state.rho[i];
+      const Real above = at_least(Real(0), (rho_i - params.rho0) / params.rho0);
+      const bool is_lost = x_i.x < Real(0) || x_i.x > params.extent.x || x_i.y < Real(0);
+      sums[density] += rho_i;
+      sums[compression] += above;
+      sums[speed_squared] += glm::dot(v_i, v_i);
+      sums[x] += x_i.x;
+      sums[y] += x_i.y;
+      if (walls) {
+        const glm::vec<2, Real> force =
+            (params.m * wall_pressure_term(params, state.q[i], rho_i)) * state.wall_gradient[i];
+        sums[wall_force_x] += force.x;
+        sums[wall_force_y] += force.y;
+      }
+      if (is_lost) sums[lost] += Real(1);
+      sums[max_compression] = larger(sums[max_compression], above);
+      sums[max_speed_squared] = larger(sums[max_speed_squared], glm::dot(v_i, v_i));
+      sums[max_speed_change_squared] = larger(sums[max_speed_change_squared], glm::dot(change_i, change_i));
+    }
+    sums.write(state.diagnostic_sums, chunk, state.sizes.chunks());
+  });
 }
 
 }  // namespace sluice::cpu::SLUICE_SET

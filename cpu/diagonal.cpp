@@ -6,8 +6,8 @@
 // 2014], and this is the exact diagonal of the operator. Differs from [Hunkler 2022, eq. 5.13]: printed there
 // with separate inner sums for fluid and boundary; one sum over all neighbours, as in algorithm 6, is what
 // gives the published iteration counts.
+#include "cpu/neighbours.hpp"
 #include "cpu/stages.hpp"
-#include "cpu/sums.hpp"
 
 namespace sluice::cpu::SLUICE_SET {
 
@@ -15,15 +15,20 @@ template <class Real>
 void diagonal(State<Real>& state) {
   const ParamsOf<Real>& params = state.params;
   const bool walls = state.needs.boundary, thesis_wall = state.needs.thesis_wall;
-  const auto term = [](auto, auto, auto dW) { return std::array{dW.x, dW.y, dot(dW, dW)}; };
-  const auto finish = [&](auto i, auto sums) {
-    auto sum = params.m * Pair{sums[0], sums[1]};
-    auto squares = params.m * params.m * sums[2];
-    if (walls) sum += i(state.wall_gradient);
-    if (thesis_wall) squares += i(state.wall_gradient_squares);
-    i.set(state.A_ii, -(params.dt * params.dt) * (dot(sum, sum) + squares));
-  };
-  sum_over_neighbours(state, std::array<Real, 3>{}, term, finish, Nothing{});
+  for_each_index(params.n, state.threads, [&](size_t i) {
+    glm::vec<2, Real> sum{};
+    Real squares{};
+    for_each_neighbour(state, i, [&](uint64_t entry) {
+      const glm::vec<2, Real> dW = gradient_of(state, entry);
+      sum += dW;
+      squares += glm::dot(dW, dW);
+    });
+    sum = params.m * sum;
+    squares = params.m * params.m * squares;
+    if (walls) sum += state.wall_gradient[i];
+    if (thesis_wall) squares += state.wall_gradient_squares[i];
+    state.A_ii[i] = -(params.dt * params.dt) * (glm::dot(sum, sum) + squares);
+  });
 }
 
 }  // namespace sluice::cpu::SLUICE_SET

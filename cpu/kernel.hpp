@@ -2,7 +2,7 @@
 // q = r/H, (z)_+ = max(z, 0):
 //   W  = 5/(14 pi H^2) ((2-q)_+^3 - 4 (1-q)_+^3)
 //   dW = 5/(14 pi H^3) (-3 (2-q)_+^2 + 12 (1-q)_+^2) x_ij/r, zero at r = 0
-// Distances are reals, or vectors of reals.
+// Value is Real; in cpu/simd also a register of them, whose lanes belong to particles.
 #pragma once
 
 #include "cpu/instructions.hpp"

@@ -4,9 +4,7 @@
 // The stage `stop_test` chooses t, and whether to start from the last q, from nothing, or to go back to the
 // best q of this solve. A particle with A_ii = 0 (nobody in reach) keeps its q. Differs from [Hunkler 2022,
 // algorithm 6]: line 14 there reads (Ap) != 0, with which pressure would never start.
-#include "cpu/kernel.hpp"
 #include "cpu/stages.hpp"
-#include "cpu/sums.hpp"
 
 namespace sluice::cpu::SLUICE_SET {
 
@@ -16,21 +14,15 @@ void pressure_update(State<Real>& state) {
   const glm::vec<4, Real> solve = state.solve[0];
   const Real t = solve.z, start = solve.w;
   const bool is_best = solve.x == solve.y;
-  for_each_group(state, [&](const auto& i) {
-    const auto q = i(state.q), Ap = i(state.Ap), A = i(state.A_ii);
-    if (is_best) i.set(state.q_best, q);
+  for_each_index(state.params.n, state.threads, [&](size_t i) {
+    const Real q_i = state.q[i], Ap_i = state.Ap[i], A = state.A_ii[i];
+    if (is_best) state.q_best[i] = q_i;
     if (keeps_last) {
-      i.set(state.q_before, q);
-      i.set(state.Ap_before, Ap);
+      state.q_before[i] = q_i;
+      state.Ap_before[i] = Ap_i;
     }
-    if (start < Real(0)) {
-      i.set(state.q, i(state.q_best));
-    } else if (start == Real(0)) {
-      i.set(state.q, broadcast(Real(0)));
-    } else {
-      const auto moved = positive_part(q + t * (i(state.s) - Ap) / A);
-      i.set(state.q, A == Real(0) ? q : moved);
-    }
+    const Real moved = A == Real(0) ? q_i : at_least(Real(0), q_i + t * (state.s[i] - Ap_i) / A);
+    state.q[i] = start < Real(0) ? state.q_best[i] : start == Real(0) ? Real(0) : moved;
   });
 }
 

@@ -13,50 +13,31 @@
 #include "cpu/stages.hpp"
 
 namespace sluice::cpu::SLUICE_SET {
-namespace {
-
-template <class Real>
-void shares_in_error(const State<Real>& state, const auto& i, size_t place, auto& shares) {
-  const auto A = i(state.A_ii), q = i(state.q), s = i(state.s), Ap = i(state.Ap);
-  const auto zero = broadcast(Real(0));
-  const auto counts = A != zero;
-  const auto r = s - Ap;
-  const auto stays = counts & ~(q + state.params.omega * r / A < zero);
-  shares.set(ResidualSum::error, place, those(stays, r < zero ? -r : r));
-  shares.set(ResidualSum::counted, place, those(stays, broadcast(Real(1))));
-  shares.set(ResidualSum::squares, place, those(counts & ((q > zero) | ~(r > zero)), r * r));
-  shares.set(ResidualSum::source_squares, place, those(counts & (s < zero), s * s));
-}
-
-template <class Real>
-void shares_in_step(const State<Real>& state, const auto& i, size_t place, auto& shares) {
-  const auto A = i(state.A_ii);
-  const auto counts = A != broadcast(Real(0));
-  const auto S = i(state.q) - i(state.q_before), change = i(state.Ap_before) - i(state.Ap);  // -A_ii Y
-  shares.set(ResidualSum::SS, place, those(counts, -(S * S * A)));
-  shares.set(ResidualSum::SY, place, those(counts, S * change));
-  shares.set(ResidualSum::YY, place, those(counts, -(change * change / A)));
-}
-
-}  // namespace
 
 template <class Real>
 void residual(State<Real>& state) {
-  const auto add = [](uint32_t, Real sum, Real share) { return sum + share; };
-  if (state.params.solver == static_cast<uint32_t>(Solver::jacobi)) {
-    constexpr auto count = static_cast<uint32_t>(ResidualSum::SS);
-    sum_over_chunks<count>(
-        state, state.residual_sums,
-        [&](const auto& i, size_t place, auto& shares) { shares_in_error(state, i, place, shares); }, add);
-    return;
-  }
-  sum_over_chunks<residual_sum_count>(
-      state, state.residual_sums,
-      [&](const auto& i, size_t place, auto& shares) {
-        shares_in_error(state, i, place, shares);
-        shares_in_step(state, i, place, shares);
-      },
-      add);
+  using enum ResidualSum;
+  const Real omega = state.params.omega;
+  const bool jacobi = state.params.solver == static_cast<uint32_t>(Solver::jacobi);
+  for_each_chunk(state.params.n, state.threads, [&](size_t chunk, size_t first, size_t last) {
+    ChunkSums<Real, ResidualSum> sums;
+    for (size_t i = first; i < last; ++i) {
+      const Real A = state.A_ii[i], q_i = state.q[i], s_i = state.s[i], Ap_i = state.Ap[i];
+      if (A == Real(0)) continue;
+      const Real r = s_i - Ap_i;
+      const bool stays = !(q_i + omega * r / A < Real(0));
+      if (stays) sums[error] += std::abs(r);
+      if (stays) sums[counted] += Real(1);
+      if (q_i > Real(0) || !(r > Real(0))) sums[squares] += r * r;
+      if (s_i < Real(0)) sums[source_squares] += s_i * s_i;
+      if (jacobi) continue;
+      const Real S = q_i - state.q_before[i], change = state.Ap_before[i] - Ap_i;  // -A_ii Y
+      sums[SS] -= S * S * A;
+      sums[SY] += S * change;
+      sums[YY] -= change * change / A;
+    }
+    sums.write(state.residual_sums, chunk, state.sizes.chunks());
+  });
 }
 
 }  // namespace sluice::cpu::SLUICE_SET

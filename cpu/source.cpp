@@ -1,8 +1,8 @@
 // IISPH: source of the pressure system [Hunkler 2022, eq. 5.17; Ihmsen et al. 2014]:
 //   s_i = w (rho0 - rho_i) - dt ( m sum_j (v*_i - v*_j).dW_ij + v*_i.B_i )
 // with source weight w, 1 in the thesis.
+#include "cpu/neighbours.hpp"
 #include "cpu/stages.hpp"
-#include "cpu/sums.hpp"
 
 namespace sluice::cpu::SLUICE_SET {
 
@@ -10,13 +10,15 @@ template <class Real>
 void source(State<Real>& state) {
   const ParamsOf<Real>& params = state.params;
   const bool walls = state.needs.boundary;
-  const auto term = [&](auto i, auto j, auto dW) {
-    return std::array{dot(i(state.v_star) - j(state.v_star), dW)};
-  };
-  sum_over_neighbours(state, std::array<Real, 1>{}, term, [&](auto i, auto sums) {
-    auto sum = params.m * sums[0];
-    if (walls) sum += dot(i(state.v_star), i(state.wall_gradient));
-    i.set(state.s, params.source_weight * (params.rho0 - i(state.rho)) - params.dt * sum);
+  for_each_index(params.n, state.threads, [&](size_t i) {
+    const glm::vec<2, Real> v_i = state.v_star[i];
+    Real sum{};
+    for_each_neighbour(state, i, [&](uint64_t entry) {
+      sum += glm::dot(v_i - state.v_star[state.index[entry]], gradient_of(state, entry));
+    });
+    sum = params.m * sum;
+    if (walls) sum += glm::dot(v_i, state.wall_gradient[i]);
+    state.s[i] = params.source_weight * (params.rho0 - state.rho[i]) - params.dt * sum;
   });
 }
 

@@ -34,16 +34,12 @@ struct ElementOf<Real, Type::uvec2> {
   using element = glm::uvec2;
 };
 
-/// Stages that can be run part by part: those of a pressure sweep that walk over the neighbour list.
-#define SLUICE_PARTWISE_STAGES(STAGE) STAGE(pressure_acceleration) STAGE(pressure_operator)
-
-/// Particles first to last - 1. Parts of a whole begin with a slice of the neighbour list.
+/// Particles first to last - 1.
 struct Range {
   size_t first, last;
-  size_t ahead = 0;  ///< so many particles further on another stage goes over the neighbour list next
 };
 
-/// The share of `thread` when `threads` divide `n` particles.
+/// The share of `thread` when `threads` divide `n` particles; it begins with a slice of the neighbour list.
 inline Range share_of(size_t n, int thread, int threads) {
   const size_t chunks = (n + chunk_width - 1) / chunk_width;
   const auto begin = [&](int t) {
@@ -62,7 +58,8 @@ struct State {
   int threads = 1;  ///< the same for every stage: changing the size of a team costs more than a small stage
   size_t reach = any_reach;  ///< numbers of neighbours differ by no more; `neighbours` finds it
   static constexpr size_t any_reach = ~uint32_t{0};
-  /// Entries of the neighbour list that each thread's part needed last, and room to count them anew.
+  /// Entries of the neighbour list that each thread's part needed last, and room to count them anew: of the
+  /// search in cpu/simd.
   std::vector<uint64_t> part_needs{}, found_needs{};
 
 #define FIELD(name, type, length, need, unit, meaning) \

@@ -3,29 +3,31 @@
 //               + (1/rho_i) sum_b m_b (v_i.x_ib)/(x_ib.x_ib + 0.01 H^2) dW_ib )
 // The sum over b stands in wall_viscosity. Not antisymmetric in i and j because of 1/rho_j, so it does not
 // conserve momentum exactly.
+#include "cpu/neighbours.hpp"
 #include "cpu/stages.hpp"
-#include "cpu/sums.hpp"
 
 namespace sluice::cpu::SLUICE_SET {
 
 template <class Real>
 void viscosity(State<Real>& state) {
-  const ParamsOf<Real> params = state.params;  // a copy, which no store can change
+  const ParamsOf<Real>& params = state.params;
   const bool walls = state.needs.boundary;
-  const auto term = [&](auto i, auto j, auto dW) {
-    const auto x_ij = i(state.x) - j(state.x);
-    const auto approach = dot(i(state.v) - j(state.v), x_ij);
-    const auto factor = approach / ((dot(x_ij, x_ij) + params.viscosity_floor) * j(state.rho));
-    return std::array{factor * dW.x, factor * dW.y};
-  };
-  sum_over_neighbours(state, std::array<Real, 2>{}, term, [&](auto i, auto sums) {
-    auto sum = params.m * Pair{sums[0], sums[1]};
+  for_each_index(params.n, state.threads, [&](size_t i) {
+    const glm::vec<2, Real> x_i = state.x[i], v_i = state.v[i];
+    glm::vec<2, Real> sum{};
+    for_each_neighbour(state, i, [&](uint64_t entry) {
+      const uint32_t j = state.index[entry];
+      const glm::vec<2, Real> x_ij = x_i - state.x[j];
+      const Real approach = glm::dot(v_i - state.v[j], x_ij);
+      const Real weight = approach / ((glm::dot(x_ij, x_ij) + params.viscosity_floor) * state.rho[j]);
+      sum += weight * gradient_of(state, entry);
+    });
+    sum = params.m * sum;
     if (walls) {
-      const auto v_i = i(state.v);
-      const auto t = i(state.wall_viscosity);
-      sum += Pair{t.x * v_i.x + t.y * v_i.y, t.z * v_i.x + t.w * v_i.y} / i(state.rho);
+      const glm::vec<4, Real> t = state.wall_viscosity[i];
+      sum += glm::vec<2, Real>(t.x * v_i.x + t.y * v_i.y, t.z * v_i.x + t.w * v_i.y) / state.rho[i];
     }
-    i.set(state.a_n, i(state.a_n) + (Real(2) * params.nu) * sum);
+    state.a_n[i] = state.a_n[i] + (Real(2) * params.nu) * sum;
   });
 }
 

@@ -2,23 +2,24 @@
 // step and of the fluid only [WCSPH page]:
 //   a_n -= (alpha m/dt) sum_j (1/rho_j) (v_i - v_j) W_ij
 #include "cpu/kernel.hpp"
+#include "cpu/neighbours.hpp"
 #include "cpu/stages.hpp"
-#include "cpu/sums.hpp"
 
 namespace sluice::cpu::SLUICE_SET {
 
 template <class Real>
 void xsph(State<Real>& state) {
-  const ParamsOf<Real> params = state.params;  // a copy, which no store can change
-  const auto term = [&](auto i, auto j, auto) {
-    const auto x_ij = i(state.x) - j(state.x), v_ij = i(state.v) - j(state.v);
-    const auto weight = kernel(params, square_root(dot(x_ij, x_ij))) / j(state.rho);
-    return std::array{weight * v_ij.x, weight * v_ij.y};
-  };
-  const auto finish = [&](auto i, auto sums) {
-    i.set(state.a_n, i(state.a_n) - params.xsph * Pair{sums[0], sums[1]});
-  };
-  sum_over_neighbours(state, std::array<Real, 2>{}, term, finish, Nothing{});
+  const ParamsOf<Real>& params = state.params;
+  for_each_index(params.n, state.threads, [&](size_t i) {
+    const glm::vec<2, Real> x_i = state.x[i], v_i = state.v[i];
+    glm::vec<2, Real> sum{};
+    for_each_neighbour(state, i, [&](uint64_t entry) {
+      const uint32_t j = state.index[entry];
+      const Real weight = kernel(params, glm::length(x_i - state.x[j])) / state.rho[j];
+      sum += weight * (v_i - state.v[j]);
+    });
+    state.a_n[i] = state.a_n[i] - params.xsph * sum;
+  });
 }
 
 }  // namespace sluice::cpu::SLUICE_SET

@@ -96,10 +96,12 @@ int agree_command(const AgreeOptions& options) {
   std::optional<OutputFile> summary;
   if (options.summary) summary.emplace(*options.summary);
 
-  const int threads = options.machine.threads;
-  const auto reference = cpu::make_backend(Precision::single_, threads);
+  const auto make_cpu = [&] {
+    return cpu::make_backend(Precision::single_, options.machine.threads, options.machine.instructions);
+  };
+  const auto reference = make_cpu();
   const auto other = gpu::make_backend(machine.context());
-  const auto first_half = cpu::make_backend(Precision::single_, threads);
+  const auto first_half = make_cpu();
   SplitBackend halves(*first_half, *other, split);
   Backend& run_other = options.split ? static_cast<Backend&>(halves) : *other;
   const double tolerance = tolerance_on(machine.context());

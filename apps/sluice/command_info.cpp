@@ -22,6 +22,7 @@ namespace {
 void print_machine() {
   fmt::print("sluice {}\nprocessor: {}, {} threads, {} of memory free\n", version(), cpu::processor_name(),
              cpu::hardware_threads(), bytes_text(available_memory()));
+  fmt::print("instructions (for --instructions): {}\n", cpu::names_of(cpu::available_instructions()));
   fmt::print("OpenGL devices (for --backend gpu and pictures):\n");
   try {
     fmt::print("{}\n", gpu::describe(gpu::list_devices()));

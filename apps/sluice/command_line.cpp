@@ -199,6 +199,25 @@ void declare_scene(CLI::App& app, std::string& scene, std::vector<std::string>& 
   declare_overrides(app, overrides);
 }
 
+/// Takes a set of instructions that this processor and this build have.
+void use_instructions(cpu::Instructions instructions, MachineOptions& options) {
+  const std::vector<cpu::Instructions> available = cpu::available_instructions();
+  if (!std::ranges::count(available, instructions)) {
+    throw InputError(
+        fmt::format("--instructions: found \"{}\", which this processor, or this build, does not have; "
+                    "expected one of {}",
+                    name_of(instructions), cpu::names_of(available)));
+  }
+  options.instructions = instructions;
+}
+
+void declare_instructions(CLI::App& app, MachineOptions& options) {
+  add_choice<cpu::Instructions>(
+      app, "--instructions", [&](cpu::Instructions instructions) { use_instructions(instructions, options); },
+      "What stages of the CPU backend are built for; the widest of this machine if not given, results do not "
+      "depend on it. ");
+}
+
 void declare_threads(CLI::App& app, MachineOptions& options) {
   options.threads = cpu::hardware_threads();
   add_number<int>(
@@ -208,6 +227,11 @@ void declare_threads(CLI::App& app, MachineOptions& options) {
       ->type_name("N");
 }
 
+void declare_cpu_options(CLI::App& app, MachineOptions& options) {
+  declare_threads(app, options);
+  declare_instructions(app, options);
+}
+
 void declare_machine(CLI::App& app, MachineOptions& options) {
   add_choice<BackendChoice>(
       app, "--backend", [&](BackendChoice backend) { options.backend = backend; },
@@ -215,7 +239,7 @@ void declare_machine(CLI::App& app, MachineOptions& options) {
   add_choice<Precision>(
       app, "--precision", [&](Precision precision) { options.precision = precision; },
       "float if not given. ");
-  declare_threads(app, options);
+  declare_cpu_options(app, options);
 }
 
 void declare_shader_dir(CLI::App& app, MachineOptions& options) {
@@ -237,7 +261,7 @@ void declare_gl_options(CLI::App& app, MachineOptions& options) {
 
 void declare_agree_options(CLI::App& app, AgreeOptions& options) {
   declare_scene(app, options.scene, options.overrides);
-  declare_threads(app, options.machine);
+  declare_cpu_options(app, options.machine);
   declare_gl_options(app, options.machine);
   add_number<uint64_t>(
       app, "--steps", "a whole number from 1 on", [](uint64_t steps) { return steps > 0; },

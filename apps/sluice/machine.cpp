@@ -49,7 +49,7 @@ const gpu::Context& Machine::context() {
 }
 
 void Machine::use_cpu(const std::string& why) {
-  backend_ = cpu::make_backend(options_.precision, options_.threads);
+  backend_ = cpu::make_backend(options_.precision, options_.threads, options_.instructions);
   choice_ = fmt::format("cpu, {} threads ({})", options_.threads, why);
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/model/choices.hpp"
+#include "cpu/backend.hpp"
 
 namespace sluice::app {
 
@@ -30,6 +31,7 @@ struct MachineOptions {
   BackendChoice backend = BackendChoice::automatic;
   Precision precision = Precision::single_;
   int threads = 1;
+  cpu::Instructions instructions = cpu::widest_instructions();
   std::optional<int> gl_device;
   std::optional<std::filesystem::path> shader_dir;
 };

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/output/output_file.hpp"
+#include "cpu/backend.hpp"
 #include "gpu/context.hpp"
 #include "tests/support/running_program.hpp"
 #include "tests/support/table.hpp"
@@ -72,6 +73,38 @@ TEST(CliBackend, OptionsThatHaveNoEffectAreNamed) {
   const ProgramResult used = run({"--backend", "gpu", "--shader-dir", shaders, "--gl-device", "0"});
   EXPECT_EQ(used.code, 0);
   EXPECT_FALSE(has(used.err, "has no effect")) << used.err;
+}
+
+TEST(CliBackend, AnyInstructionsGiveTheSameState) {
+  const TemporaryFolder folder;
+  std::string expected;
+  for (const cpu::Instructions each : cpu::available_instructions()) {
+    const std::string name(name_of(each));
+    const ProgramResult result = run({"--backend", "cpu", "--instructions", name, "--state", folder / name});
+    EXPECT_EQ(result.code, 0) << result.err;
+    const std::string state = read_file(folder / name);
+    EXPECT_FALSE(state.empty());
+    if (expected.empty()) expected = state;
+    EXPECT_EQ(state, expected) << name;
+  }
+  EXPECT_EQ(run_program({"agree", "breaking_dam", "--steps", "1", "--instructions", "plain"}).code, 0);
+}
+
+TEST(CliBackend, InstructionsThatAreNotThereAreRefused) {
+  const ProgramResult unknown = run({"--instructions", "sse5"});
+  EXPECT_EQ(unknown.code, 2);
+  EXPECT_TRUE(
+      has(unknown.err, "--instructions: found \"sse5\", expected one of plain, baseline, avx2, avx512"))
+      << unknown.err;
+  const std::vector<cpu::Instructions> available = cpu::available_instructions();
+  EXPECT_TRUE(
+      has(run_program({"info"}).out, "instructions (for --instructions): " + cpu::names_of(available)));
+  for (const cpu::Instructions each : values_of<cpu::Instructions>()) {
+    if (std::count(available.begin(), available.end(), each) > 0) continue;
+    const ProgramResult missing = run({"--instructions", std::string(name_of(each))});
+    EXPECT_EQ(missing.code, 2);
+    EXPECT_TRUE(has(missing.err, "expected one of " + cpu::names_of(available))) << missing.err;
+  }
 }
 
 TEST(CliBackend, TheGpuDoesNotComputeInDouble) {

@@ -78,13 +78,14 @@ TEST(SameBits, WithAllInstructionsThatThisProcessorHas) {
   for (const Scene& scene : scenes_of_all_models()) {
     for (const Precision precision : {Precision::single_, Precision::double_}) {
       std::string expected;
-      for (int set = 0; set <= static_cast<int>(cpu::widest_instructions()); ++set) {
+      for (const cpu::Instructions set : cpu::available_instructions()) {
         for (const int threads : {1, 3}) {
-          Simulation simulation(scene, precision, threads, static_cast<cpu::Instructions>(set));
+          Simulation simulation(scene, precision, threads, set);
           simulation.run(20);
           const std::string found = fmt::format("{:016x}", digest(simulation.simulator->snapshot()));
           if (expected.empty()) expected = found;
-          EXPECT_EQ(found, expected) << scene.title << ", instructions " << set << ", threads " << threads;
+          EXPECT_EQ(found, expected) << scene.title << ", instructions " << name_of(set) << ", threads "
+                                     << threads;
         }
       }
     }

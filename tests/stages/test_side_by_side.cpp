@@ -1,6 +1,6 @@
-// What is computed for several particles side by side has the bits of one particle at a time: the lists and
-// their gradients, and the sums over them, with the instructions that every processor has. test_same_bits.cpp
-// compares the others with these.
+// The lists and their gradients, and the sums over them, are those that a few loops in this file find, with
+// every set of instructions; also for particles that no scene has, and where no list has an entry, for values
+// that would show. And the parts that the search of cpu/simd is made of.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,7 +8,8 @@
 #include <limits>
 
 #include "cpu/kernel.hpp"
-#include "cpu/search.hpp"
+#include "cpu/simd/search.hpp"
+#include "cpu/stage_functions.hpp"
 #include "tests/support/search.hpp"
 
 namespace sluice::test {
@@ -50,6 +51,12 @@ std::vector<std::vector<Vec2>> cases() {
           random_positions(16, {0, 0}, {3, 3}, 7), random_positions(37, {0, 0}, {3, 3}, 8)};
 }
 
+/// Calls a stage as it is with a set of instructions.
+template <class Real>
+void run(Stage stage, cpu::State<Real>& state, cpu::Instructions instructions) {
+  cpu::functions_with<Real>(instructions).all[static_cast<uint32_t>(stage)](state);
+}
+
 /// Neighbours of i by looking at everybody.
 template <class Real>
 std::vector<uint32_t> neighbours_of(const cpu::State<Real>& state, uint32_t i) {
@@ -62,8 +69,11 @@ std::vector<uint32_t> neighbours_of(const cpu::State<Real>& state, uint32_t i) {
 }
 
 template <class Real>
-void expect_plain_lists(const std::vector<Vec2>& positions, int threads) {
-  const auto state = searched<Real>(open_scene(20), positions, threads);
+void expect_plain_lists(const std::vector<Vec2>& positions, int threads, cpu::Instructions instructions) {
+  auto state = searched<Real>(open_scene(20), positions, threads);
+  std::ranges::fill(state.index, ~0u);
+  run(Stage::neighbours, state, instructions);
+  run(Stage::density, state, instructions);
   for (uint32_t i = 0; i < state.params.n; ++i) {
     std::vector<uint32_t> index;
     std::vector<Vec<Real>> gradients, expected;
@@ -83,10 +93,13 @@ void expect_plain_lists(const std::vector<Vec2>& positions, int threads) {
 }
 
 TEST(SideBySide, ListsAreThoseOfAPlainSearch) {
-  for (const auto& positions : cases()) {
-    for (const int threads : {1, 2, 3}) {
-      expect_plain_lists<float>(positions, threads);
-      expect_plain_lists<double>(positions, threads);
+  for (const cpu::Instructions instructions : cpu::available_instructions()) {
+    SCOPED_TRACE(name_of(instructions));
+    for (const auto& positions : cases()) {
+      for (const int threads : {1, 2, 3}) {
+        expect_plain_lists<float>(positions, threads, instructions);
+        expect_plain_lists<double>(positions, threads, instructions);
+      }
     }
   }
 }
@@ -153,7 +166,7 @@ cpu::State<Real> prepared(const std::vector<Vec2>& positions) {
 }
 
 template <class Real>
-void expect_plain_sums(const std::vector<Vec2>& positions) {
+void expect_plain_sums(const std::vector<Vec2>& positions, cpu::Instructions instructions) {
   auto state = prepared<Real>(positions);
   const auto& params = state.params;
   std::vector<Real> rho;
@@ -174,19 +187,19 @@ void expect_plain_sums(const std::vector<Vec2>& positions) {
     a_n.push_back(state.a_n[i] + (Real(2) * params.nu) * (params.m * viscous));
     smoothed.push_back(a_n.back() - params.xsph * differences);
   }
-  cpu::viscosity(state);
+  run(Stage::viscosity, state, instructions);
   EXPECT_TRUE(same_bits(state.a_n, a_n));
-  cpu::xsph(state);
+  run(Stage::xsph, state, instructions);
   EXPECT_TRUE(same_bits(state.a_n, smoothed));
-  cpu::pressure_acceleration(state);
-  cpu::density(state);
+  run(Stage::pressure_acceleration, state, instructions);
+  run(Stage::density, state, instructions);
   EXPECT_TRUE(same_bits(state.a_p, a_p));
   EXPECT_TRUE(same_bits(state.rho, rho));
 }
 
 /// The sums of the linear system, from velocities, densities and accelerations as they are.
 template <class Real>
-void expect_plain_system(const std::vector<Vec2>& positions) {
+void expect_plain_system(const std::vector<Vec2>& positions, cpu::Instructions instructions) {
   auto state = prepared<Real>(positions);
   auto& params = state.params;
   params.dt = Real(0.1);
@@ -210,20 +223,23 @@ void expect_plain_system(const std::vector<Vec2>& positions) {
     s.push_back(params.source_weight * (params.rho0 - state.rho[i]) - params.dt * (params.m * divergence));
     Ap.push_back((params.dt * params.dt) * (params.m * change));
   }
-  cpu::diagonal(state);
-  cpu::source(state);
-  cpu::pressure_operator(state);
+  run(Stage::diagonal, state, instructions);
+  run(Stage::source, state, instructions);
+  run(Stage::pressure_operator, state, instructions);
   EXPECT_TRUE(same_bits(state.A_ii, A_ii));
   EXPECT_TRUE(same_bits(state.s, s));
   EXPECT_TRUE(same_bits(state.Ap, Ap));
 }
 
 TEST(SideBySide, SumsAreThoseOfOneParticleAtATime) {
-  for (const auto& positions : cases()) {
-    expect_plain_sums<float>(positions);
-    expect_plain_sums<double>(positions);
-    expect_plain_system<float>(positions);
-    expect_plain_system<double>(positions);
+  for (const cpu::Instructions instructions : cpu::available_instructions()) {
+    SCOPED_TRACE(name_of(instructions));
+    for (const auto& positions : cases()) {
+      expect_plain_sums<float>(positions, instructions);
+      expect_plain_sums<double>(positions, instructions);
+      expect_plain_system<float>(positions, instructions);
+      expect_plain_system<double>(positions, instructions);
+    }
   }
 }
 

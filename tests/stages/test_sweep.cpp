@@ -5,7 +5,7 @@
 #include <atomic>
 #include <memory>
 
-#include "cpu/sweep.hpp"
+#include "cpu/simd/sweep.hpp"
 
 namespace sluice::test {
 namespace {
@@ -18,12 +18,12 @@ struct Record {
 };
 Record* record = nullptr;
 
-void first(cpu::State<float>&, cpu::Range part) {
+void first(cpu::State<float>&, cpu::Part part) {
   if (part.first % slice_width != 0) ++record->crooked;
   for (size_t i = part.first; i < part.last; ++i) ++record->first[i];
 }
 
-void second(cpu::State<float>&, cpu::Range part) {
+void second(cpu::State<float>&, cpu::Part part) {
   if (part.first % slice_width != 0) ++record->crooked;
   const size_t from = part.first - std::min(part.first, record->reach);
   const size_t to = std::min(record->n, part.last + record->reach);

@@ -2,7 +2,7 @@
 // that is compiled for. Each lane belongs to one particle and rounds as a plain real does.
 #pragma once
 
-#include "cpu/instructions.hpp"
+#include "cpu/simd/instructions.hpp"
 
 namespace sluice::cpu::SLUICE_SET {
 

@@ -2,8 +2,8 @@
 // order of its own list, with the bits that one particle at a time would give.
 #pragma once
 
-#include "cpu/lanes.hpp"
 #include "cpu/loops.hpp"
+#include "cpu/simd/lanes.hpp"
 
 namespace sluice::cpu::SLUICE_SET {
 
@@ -24,9 +24,9 @@ struct Row {
   void set(auto& field, const auto& values) const { store(values, field.data() + first); }
 };
 
-/// The last particles, fewer than there are lanes; others fill up the rest, and keep their values.
+/// The last particles, fewer than there are lanes; the lanes left over hold zeros, and are not stored.
 template <class Real>
-struct Rest {
+struct Tail {
   size_t first, count;
 
   template <class T>
@@ -43,17 +43,17 @@ struct Rest {
   }
 };
 
-/// Says of every lane that its value counts.
-struct Everyone {};
+/// The mask of a comparison that holds in every lane.
+struct AllLanes {};
 
-/// The values that count, and 0 for the others.
+/// The values of `a` in the lanes of the mask, those of `b` in the others.
 template <class Value>
-Value those(Everyone, Value value) {
-  return value;
+Value select(AllLanes, Value a, Value) {
+  return a;
 }
-template <class There, class Value>
-Value those(There there, Value value) {
-  return there ? value : Value{};
+template <class M, class Value>
+Value select(M mask, Value a, Value b) {
+  return mask ? a : b;
 }
 
 /// Lengths of the lists of particles i; 0 for those that only fill up.
@@ -63,7 +63,7 @@ Indices<Real> lengths_of(const Row<Real>& i, const std::vector<glm::uvec2>& list
   return split(load_as<Indices<Real>>(own), load_as<Indices<Real>>(own + lane_count<Real> / 2)).y;
 }
 template <class Real>
-Indices<Real> lengths_of(const Rest<Real>& i, const std::vector<glm::uvec2>& list) {
+Indices<Real> lengths_of(const Tail<Real>& i, const std::vector<glm::uvec2>& list) {
   Indices<Real> lengths{};
   for (size_t l = 0; l < i.count; ++l) lengths[l] = list[i.first + l].y;
   return lengths;
@@ -86,18 +86,18 @@ std::pair<uint32_t, uint32_t> extremes(Numbers least, Numbers largest, std::inte
 }
 
 /// What is fetched into a cache while lists are walked over, line by line, with registers as wide as a line:
-/// narrower ones compute for about as long as the list takes to come. Nothing: the processor fetches what is
-/// merely read in a row by itself.
-struct Nothing {
+/// narrower ones compute for about as long as the list takes to come. Here nothing: the processor fetches
+/// what is merely read in a row by itself.
+struct NoPrefetch {
   uint64_t entries(const auto&, size_t, uint64_t) const { return 0; }
 };
 /// Entries that come next, into the first level.
-struct Next {
+struct PrefetchNext {
   static constexpr int locality = 3;
   uint64_t entries(const auto&, size_t, uint64_t) const { return 8 * slice_width; }
 };
 /// The lists of particles so many further on, where another stage goes next, into the second level.
-struct Further {
+struct PrefetchFurther {
   static constexpr int locality = 2;
   size_t particles;
 
@@ -107,7 +107,7 @@ struct Further {
 };
 
 /// Walks over the lists of particles i: calls visit(block, j, there) for their first neighbours j, their
-/// second ones and so on. `block` is where the x components of the gradients stand. `there` is for those():
+/// second ones and so on. `block` is where the x components of the gradients stand. `there` is a mask:
 /// where a list has ended, j is a particle, but none to count.
 template <class Real, class Group, class Fetch, class Visit>
 [[gnu::always_inline]] inline void walk(const State<Real>& state, const Group& i, Fetch fetch,
@@ -122,12 +122,12 @@ template <class Real, class Group, class Fetch, class Visit>
   uint64_t block = 2 * first - first % slice_width;
   uint32_t k = 0;
   for (; k < shortest; ++k, index += slice_width, block += 2 * slice_width) {
-    if constexpr (vector_bytes == 64 && !std::is_same_v<Fetch, Nothing>) {
+    if constexpr (vector_bytes == 64 && !std::is_same_v<Fetch, NoPrefetch>) {
       __builtin_prefetch(index + ahead, 0, Fetch::locality);
       __builtin_prefetch(gradient + block, 0, Fetch::locality);
       __builtin_prefetch(gradient + block + slice_width, 0, Fetch::locality);
     }
-    visit(block, Particles<Real>{load_as<Indices<Real>>(index)}, Everyone{});
+    visit(block, Particles<Real>{load_as<Indices<Real>>(index)}, AllLanes{});
   }
   // Where a list has ended, its entries may hold anything.
   for (; k < longest; ++k, index += slice_width, block += 2 * slice_width) {
@@ -138,7 +138,7 @@ template <class Real, class Group, class Fetch, class Visit>
 }
 template <class Real, class Group, class Visit>
 [[gnu::always_inline]] inline void walk(const State<Real>& state, const Group& i, const Visit& visit) {
-  walk(state, i, Next{}, visit);
+  walk(state, i, PrefetchNext{}, visit);
 }
 
 /// Calls f(i) for the particles of a part, as many at a time as fit into a register.
@@ -147,7 +147,7 @@ void for_each_group(Range part, F&& f) {
   constexpr size_t width = lane_count<Real>;
   size_t first = part.first;
   for (; first + width <= part.last; first += width) f(Row<Real>{first});
-  if (first < part.last) f(Rest<Real>{first, part.last - first});
+  if (first < part.last) f(Tail<Real>{first, part.last - first});
 }
 
 /// The same for all particles.
@@ -159,24 +159,25 @@ void for_each_group(const State<Real>& state, F&& f) {
 /// Calls finish(i, sums) for the particles i of a part, as many at a time as fit into a register, with the
 /// sums of what term(i, j, dW) gives for their neighbours j: an array of values, as many as `start` has,
 /// which are added before. i(state.q) are the particles' values of q, i.set(state.q, values) changes them.
-template <class Real, size_t count, class Term, class Finish, class Fetch = Next>
+template <class Real, size_t count, class Term, class Finish, class Fetch = PrefetchNext>
 void sum_over_neighbours(const State<Real>& state, Range part, const std::array<Real, count>& start,
                          const Term& term, const Finish& finish, Fetch fetch = {}) {
   const Real* gradient = state.gradient.data();
-  for_each_group<Real>(part, [&](const auto& i) {
-    std::array<Vector<Real>, count> sums;
-    for (size_t c = 0; c < count; ++c) sums[c] = broadcast(start[c]);
-    walk(state, i, fetch, [&](uint64_t block, const Particles<Real>& j, auto there) {
-      const Pair<Vector<Real>> dW{load(gradient + block), load(gradient + block + slice_width)};
-      const auto terms = term(i, j, dW);
-      for (size_t c = 0; c < count; ++c) sums[c] += those(there, terms[c]);
-    });
-    finish(i, sums);
-  });
+  for_each_group<Real>(
+      part, [&](const auto& i) __attribute__((always_inline)) {
+        std::array<Vector<Real>, count> sums;
+        for (size_t c = 0; c < count; ++c) sums[c] = broadcast(start[c]);
+        walk(state, i, fetch, [&](uint64_t block, const Particles<Real>& j, auto there) {
+          const Pair<Vector<Real>> dW{load(gradient + block), load(gradient + block + slice_width)};
+          const auto terms = term(i, j, dW);
+          for (size_t c = 0; c < count; ++c) sums[c] += select(there, terms[c], Vector<Real>{});
+        });
+        finish(i, sums);
+      });
 }
 
 /// The same for all particles.
-template <class Real, size_t count, class Term, class Finish, class Fetch = Next>
+template <class Real, size_t count, class Term, class Finish, class Fetch = PrefetchNext>
 void sum_over_neighbours(const State<Real>& state, const std::array<Real, count>& start, const Term& term,
                          const Finish& finish, Fetch fetch = {}) {
   for_each_part(state, [&](Range part) { sum_over_neighbours(state, part, start, term, finish, fetch); });

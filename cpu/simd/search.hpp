@@ -2,8 +2,8 @@
 // without a branch, since a processor could not foresee which. Particles of one cell share their candidates.
 #pragma once
 
-#include "cpu/lanes.hpp"
 #include "cpu/loops.hpp"
+#include "cpu/simd/lanes.hpp"
 
 namespace sluice::cpu::SLUICE_SET {
 

@@ -1,7 +1,7 @@
 // From lists that stand one after the other to lists side by side.
 #pragma once
 
-#include "cpu/lanes.hpp"
+#include "cpu/simd/lanes.hpp"
 
 namespace sluice::cpu::SLUICE_SET {
 

@@ -11,12 +11,9 @@
 #include <array>
 #include <chrono>
 
-#include "cpu/state.hpp"
+#include "cpu/simd/part.hpp"
 
 namespace sluice::cpu {
-
-template <class Real>
-using PartFunction = void (*)(State<Real>&, Range part);
 
 /// Runs both; returns how many seconds that took, and what share of them was the first one's.
 template <class Real>
@@ -33,7 +30,7 @@ std::array<double, 2> run_both(State<Real>& state, PartFunction<Real> first, Par
 #pragma omp parallel num_threads(state.threads) reduction(+ : seconds_of_first, seconds_of_second)
   {
     auto last_time = Clock::now();
-    const auto run = [&](PartFunction<Real> stage, Range part, double& seconds) {
+    const auto run = [&](PartFunction<Real> stage, Part part, double& seconds) {
       if (part.first < part.last) stage(state, part);
       const auto now = Clock::now();
       seconds += std::chrono::duration<double>(now - last_time).count();
@@ -46,15 +43,15 @@ std::array<double, 2> run_both(State<Real>& state, PartFunction<Real> first, Par
     size_t done = begin;
     for (size_t from = own.first; from < own.last; from += block_size) {
       const size_t to = std::min(from + block_size, own.last);
-      run(first, {from, to}, seconds_of_first);
+      run(first, {{from, to}}, seconds_of_first);
       const size_t ready = to == n ? n : to > reach ? whole_slices(to - reach) : 0;
-      run(second, {done, ready, fetches && to < own.last ? to - done : 0}, seconds_of_second);
+      run(second, {{done, ready}, fetches && to < own.last ? to - done : 0}, seconds_of_second);
       done = std::max(done, ready);
     }
 #pragma omp barrier
     last_time = Clock::now();
-    run(second, {own.first, begin}, seconds_of_second);
-    run(second, {done, own.last}, seconds_of_second);
+    run(second, {{own.first, begin}}, seconds_of_second);
+    run(second, {{done, own.last}}, seconds_of_second);
   }
   const double total = std::chrono::duration<double>(Clock::now() - start).count();
   const double both = seconds_of_first + seconds_of_second;

@@ -1,0 +1,5 @@
+// The plain stage, compiled for each set of instructions: a compiler makes wide registers of it by itself, in
+// half the time.
+#include "cpu/simd/instructions.hpp"
+// clang-format off: not before that
+#include "cpu/clamp_density.cpp"

@@ -1,0 +1,4 @@
+// The plain stage, compiled for each set of instructions: a compiler makes wide registers of it by itself.
+#include "cpu/simd/instructions.hpp"
+// clang-format off: not before that
+#include "cpu/warm_start.cpp"
