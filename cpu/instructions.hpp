@@ -23,5 +23,6 @@
 #endif
 
 namespace sluice::cpu {
-inline namespace SLUICE_SET {}
+namespace SLUICE_SET {}
+using namespace SLUICE_SET;
 }  // namespace sluice::cpu

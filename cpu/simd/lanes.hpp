@@ -31,6 +31,8 @@ template <class Value>
 struct Pair {
   Value x, y;
 };
+template <class Value>
+Pair(Value, Value) -> Pair<Value>;
 
 template <class Value>
 Pair<Value> operator-(const Pair<Value>& a, const Pair<Value>& b) {
@@ -79,7 +81,7 @@ Vector load_as(const void* from) {
   return values;
 }
 template <std::floating_point Real>
-Vector<Real> load(const Real* from) {
+auto load(const Real* from) {
   return load_as<Vector<Real>>(from);
 }
 
@@ -150,7 +152,7 @@ uint32_t bits_below(V values, Real bound) {
 /// The values of the particles `j`, loaded one by one and put together; vectors of floats in one piece, since
 /// a register put together in memory from pieces would wait for them.
 template <std::floating_point Real, int... lane>
-Vector<Real> gather(const Real* from, Indices<Real> j, std::integer_sequence<int, lane...>) {
+auto gather(const Real* from, Indices<Real> j, std::integer_sequence<int, lane...>) {
   return Vector<Real>{from[j[lane]]...};
 }
 template <int... lane>
