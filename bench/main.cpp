@@ -1,6 +1,6 @@
 // sluice_bench [--million] [--markdown FILE] [Google Benchmark's options]
 // Times every stage, sweeps and whole steps on the CPU. --million adds a million particles (minutes more),
-// --markdown writes the tables of docs/benchmarks/cpu.md.
+// --markdown writes the tables of docs/results/cpu.md.
 //
 // sluice_bench --gpu [--pages FOLDER] [--tests LOG] [--agreement FILE]...
 // Times the same on the GPU, with whatever sizes it holds, and writes FOLDER/<name of the GPU>.md or prints
