@@ -25,7 +25,7 @@ constexpr std::string_view method_text = R"(
   end. Where a device waits for commands in the middle of a stage, as it may at small sizes, that counts. What is left of
   a step is the processor's own work, reading back, and what a device waits between stages.
 - A sweep is `pressure_acceleration`, `pressure_operator`, `residual`, `stop_test` and `pressure_update`.
-- The bytes of a sweep are those it must move at the least, by the stage table (`core/stages.cpp`): every field that one
+- The bytes of a sweep are those it must move at the least, by the stage table (`core/model/stages.hpp`): every field that one
   of its stages reads or writes counts once per stage, with 4 bytes for a float or an index and 8 for a vector. The
   neighbour list counts with the entries that are in it, 4 bytes of index and 8 of gradient each, in both stages that walk
   it. What caches save beyond that, scratch memory and the parts of slices that hold no neighbour do not count.

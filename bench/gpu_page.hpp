@@ -1,4 +1,4 @@
-// The page of docs/benchmarks about one GPU: what was found out about correctness, and the times.
+// The page of docs/results about one GPU: what was found out about correctness, and the times.
 #pragma once
 
 #include <map>

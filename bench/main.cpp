@@ -1,6 +1,6 @@
 // sluice_bench [--million] [--markdown FILE] [Google Benchmark's options]
 // Times every stage, sweeps and whole steps on the CPU. --million adds a million particles (minutes more),
-// --markdown writes the tables of docs/benchmarks/cpu.md.
+// --markdown writes the tables of docs/results/cpu.md.
 //
 // sluice_bench --plain FILE [Google Benchmark's options]
 // Times every plain stage of the CPU beside the one for the widest instructions, and writes a table of that.

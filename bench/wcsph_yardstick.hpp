@@ -1,7 +1,7 @@
 // The yardstick of whole WCSPH steps: one step as a straightforward programmer would write it from the WCSPH
 // page, in the manner of bench/yardstick.hpp. It must NEVER be optimised. One thread, float; an array of
 // structs that is never sorted, fluid and boundary in one; neighbours found anew in each of the three passes;
-// kernels with branches; pow. tests/test_yardstick.cpp checks it against the CPU backend.
+// kernels with branches; pow. tests/bench/test_yardstick.cpp checks it against the CPU backend.
 #pragma once
 
 #include <vector>

@@ -3,7 +3,7 @@
 // What it is: one thread, float; an array of structs in id order, never sorted; fluid and boundary in the
 // same array, told apart by a flag; neighbours found anew in every pass by walking over the 9 cells around a
 // particle through the arrays C and L [Hunkler 2022, algorithms 3 and 4]; a kernel gradient with branches,
-// recomputed for every pair. tests/test_yardstick.cpp checks it against the CPU backend.
+// recomputed for every pair. tests/bench/test_yardstick.cpp checks it against the CPU backend.
 #pragma once
 
 #include <cstdint>

@@ -8,7 +8,7 @@ namespace sluice {
 
 class Attempts {
  public:
-  /// Does it; a failure waits for end().
+  /// Does `action`; its failure, if it fails, waits for end().
   template <class Action>
   void operator()(Action&& action) {
     try {

@@ -13,10 +13,10 @@ std::string round_trip(double value, Precision precision);
 
 std::string title_of(PressureMethod method);  ///< "SSPH", "WCSPH", "IISPH"
 
-/// "1.2 GB", "340 kB".
+/// Bytes for people: "1.2 GB", "340 kB".
 std::string bytes_text(double bytes);
 
-/// "12 s", "3 min 20 s", "2 h 5 min".
+/// Durations for people: "12 s", "3 min 20 s", "2 h 5 min".
 std::string duration_text(double seconds);
 
 }  // namespace sluice

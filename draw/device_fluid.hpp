@@ -22,10 +22,10 @@ class DeviceFluid {
   /// density or pressure is the value of a particle. The backend is one of the same context.
   void collect(const gpu::GpuBackend& backend, size_t count, Colour colour, double unit);
 
-  /// What was collected last, in the order of ids.
+  /// Particles collected last, in the order of ids.
   const Cloud& cloud() const { return cloud_; }
 
-  /// The largest value of these, or 0 if none is above. Waits for the graphics card.
+  /// Largest value of the particles collected last, or 0 if none is above. Waits for the graphics card.
   double largest() const;
 
  private:

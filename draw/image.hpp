@@ -15,14 +15,14 @@
 
 namespace sluice::draw {
 
-/// Three bytes per pixel (red, green, blue), rows without padding, top row first.
+/// Picture with three bytes per pixel (red, green, blue), rows without padding, top row first.
 struct Image {
   uint32_t width = 0;
   uint32_t height = 0;
   std::vector<uint8_t> rgb;
 };
 
-/// The bytes of a PNG file. InputError when the picture is empty or beyond a gibibyte.
+/// Encodes a picture as the bytes of a PNG file. InputError when the picture is empty or beyond a gibibyte.
 std::string encode_png(const Image& image);
 
 /// Encodes and writes pictures on its own thread, in the order given. At most `queue_limit` pictures wait: a
@@ -34,13 +34,13 @@ class PngWriter {
   PngWriter(const PngWriter&) = delete;
   PngWriter& operator=(const PngWriter&) = delete;
 
-  /// Throws the failure of an earlier picture, the first there was.
+  /// Puts a picture into the queue. Throws the failure of an earlier picture, the first there was.
   void write(std::filesystem::path path, Image image);
 
-  /// Returns when all so far have been written; throws the first failure.
+  /// Waits until all pictures so far have been written; throws the first failure.
   void flush();
 
-  /// The same. Nothing may be written afterwards.
+  /// Waits as flush() does. Nothing may be written afterwards.
   void finish();
 
  private:

@@ -10,15 +10,15 @@ namespace sluice::draw {
 
 class Painter {
  public:
-  /// Scene, samples and context outlive the painter. Pictures have `size` pixels.
+  /// Painter of pictures with `size` pixels. Scene, samples and context outlive it.
   Painter(const gpu::Context& context, const Scene& scene, const Samples& samples, glm::uvec2 size);
 
   /// Paints the fluid of a snapshot. `labels` has the colour and what is written over the picture; `dt` is
   /// that of the step that led to it.
   void paint(Frame labels, double dt, const Snapshot& state);
 
-  /// Paints it from the buffers of a backend of the same context, as the last step left them: the same
-  /// picture without copying the state.
+  /// Paints the fluid from the buffers of a backend of the same context, as the last step left them: the same
+  /// picture, without copying the state.
   void paint(Frame labels, double dt, const gpu::GpuBackend& backend);
 
   Renderer& renderer() { return renderer_; }

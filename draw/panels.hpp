@@ -24,8 +24,8 @@ struct Panels {
 /// the picture's height, or with Frame::long_text all of it, and lines or a bar beyond that are left out.
 Panels add_panels(Overlay& overlay, glm::uvec2 picture, const Frame& frame);
 
-/// Three numbers for the ends and the middle of a bar, with as many digits as place them within a hundredth
-/// of the bar.
+/// Texts of three numbers, for the ends and the middle of a bar, with as many digits as place them within a
+/// hundredth of the bar.
 std::vector<std::string> bar_labels(double low, double high);
 
 }  // namespace sluice::draw

@@ -1,4 +1,4 @@
-// Uploads of particles and the draw calls for them; the work is in shaders/particles.vert and .frag.
+// Uploads of particles and the draw calls for them; the work is in shaders/draw/particles.vert and .frag.
 #include "draw/particle_pass.hpp"
 
 #include <epoxy/gl.h>

@@ -16,7 +16,8 @@ struct Box {
   float left = 0, top = 0, right = 0, bottom = 0;
 };
 
-/// A closer look: the picture that shows the whole view is enlarged about its top left corner, then moved.
+/// Camera for a closer look: the picture that shows the whole view is enlarged about its top left corner,
+/// then moved.
 struct Camera {
   double zoom = 1;
   Vec2 shift{};  ///< pixels, y down
@@ -24,7 +25,7 @@ struct Camera {
   friend bool operator==(const Camera&, const Camera&) = default;
 };
 
-/// How simulated positions become pixels: pixel = origin + scale * (position - corner), with scale.y
+/// Mapping of simulated positions to pixels: pixel = origin + scale * (position - corner), with scale.y
 /// negative.
 struct View {
   View(glm::uvec2 size, Vec2 view_min, Vec2 view_max, const Camera& camera = {});
@@ -36,7 +37,8 @@ struct View {
   Box box;  ///< what of the view is in the picture, rounded to whole pixels
 };
 
-/// `automatic` takes point sprites, which are cheaper, while the driver's are large enough.
+/// Shape that particles are drawn as. `automatic` takes point sprites, which are cheaper, while the driver's
+/// are large enough.
 enum class ParticleShape { automatic, quads };
 
 /// Particles on the graphics card, in the order they are drawn.
@@ -44,7 +46,7 @@ struct Cloud {
   explicit Cloud(const gpu::Context& context) : vertices(context), positions(context), values(context) {}
   gpu::VertexArray vertices;
   gpu::Buffer positions;  ///< relative to the view's corner, two floats each
-  gpu::Buffer values;     ///< as those of Frame, a float each
+  gpu::Buffer values;     ///< values as in Frame, a float each
   size_t count = 0;
 };
 
@@ -57,7 +59,7 @@ class ParticlePass {
 
   void set_boundary(std::span<const Vec2> positions);
   void draw_boundary();
-  /// With `on_device`, the particles are those there instead of the frame's own.
+  /// Draws the fluid of the frame, or with `on_device` the particles that are there.
   void draw_fluid(const Frame& frame, const Cloud* on_device = nullptr);
 
   /// Fills the box with the frame's colours, from its lowest value at the left to its highest at the right.

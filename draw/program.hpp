@@ -10,8 +10,8 @@
 
 namespace sluice::draw {
 
-/// Compiled and linked. Error with the file name and the driver's log when a shader is wrong, and when a name
-/// is asked for that the program does not have.
+/// Program of a vertex and a fragment shader, compiled and linked. Error with the file name and the driver's
+/// log when a shader is wrong, and when a name is asked for that the program does not have.
 class Program {
  public:
   Program(const gpu::Context& context, const gpu::ShaderSource& vertex, const gpu::ShaderSource& fragment);

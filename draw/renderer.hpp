@@ -30,18 +30,19 @@ class Renderer {
   Renderer(Renderer&&) noexcept;
   Renderer& operator=(Renderer&&) noexcept;
 
-  /// The boundary's positions for all frames to come, drawn in grey below the fluid.
+  /// Sets the boundary's positions for all frames to come; it is drawn in grey below the fluid.
   void set_boundary(std::span<const Vec2> positions);
 
   /// Draws pictures of this size, and looks at them through this camera, from now on. Errors as of the
   /// constructor.
   void look(glm::uvec2 size, const Camera& camera);
 
-  /// With `on_device`, in the same context, the fluid is what is there; the frame's own is not read.
+  /// Draws a frame. With `on_device`, in the same context, the fluid is what is there, and the frame's own is
+  /// not read.
   Image draw(const Frame& frame, const Cloud* on_device = nullptr);
 
-  /// draw() in parts: draws, and leaves the picture on the graphics card; reads it; copies it into the
-  /// window's, its top left corner at this pixel of a window of that height.
+  /// Parts of draw(): paint() draws and leaves the picture on the graphics card; read() reads it from there;
+  /// show() copies it into the window, its top left corner at this pixel of a window of that height.
   void paint(const Frame& frame, const Cloud* on_device = nullptr);
   Image read() const;
   void show(glm::uvec2 at, uint32_t window_height) const;

@@ -8,8 +8,8 @@
 //
 // The target gives every input the right checksum and place of the index, which no fuzzer finds. New inputs
 // of interest go to the folder. What breaks a claim is written to the working folder as crash-...; give that
-// file as the only argument to run it again, and make a test of it (tests/test_recording.cpp) before you mend
-// it.
+// file as the only argument to run it again, and make a test of it (tests/media/test_recording.cpp) before
+// you mend it.
 #include <fmt/format.h>
 #include <unistd.h>
 #include <xxhash.h>

@@ -8,8 +8,8 @@
 //
 // New inputs of interest go to the first folder; the others are only read. An input that breaks a claim, or
 // takes longer than -timeout says, is written to the working folder as crash-... or timeout-...; to run it
-// again, give that file as the only argument. Make a test of it (tests/test_scene_refusals.cpp) before you
-// mend it.
+// again, give that file as the only argument. Make a test of it (tests/scene/test_scene_refusals.cpp) before
+// you mend it.
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>

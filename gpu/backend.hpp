@@ -21,12 +21,12 @@ class GpuBackend : public Backend {
 
 struct BackendOptions {
   uint32_t group_size = 0;   ///< invocations per group, a multiple of 64; 0 for what suits the device
-  uint32_t most_groups = 0;  ///< per dimension; 0 for the driver's limit
+  uint32_t most_groups = 0;  ///< groups per dimension; 0 for the driver's limit
   uint32_t guard = 0;        ///< words of NaN behind each field, to catch writes out of bounds
-  uint32_t most_texels = 0;  ///< of a buffer read as an image; 0 for the driver's limit
+  uint32_t most_texels = 0;  ///< texels of a buffer read as an image; 0 for the driver's limit
 };
 
-/// The context must outlive the backend.
+/// Backend on the context's device. The context must outlive it.
 std::unique_ptr<GpuBackend> make_backend(const Context& context, const BackendOptions& options = {});
 
 }  // namespace sluice::gpu

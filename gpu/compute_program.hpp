@@ -12,7 +12,7 @@
 
 namespace sluice::gpu {
 
-/// Groups in x and y; more than the driver allows in one dimension are spread over two.
+/// Numbers of groups in x and y; more than the driver allows in one dimension are spread over two.
 struct Groups {
   uint32_t x = 0, y = 1;
 };
@@ -20,20 +20,20 @@ Groups spread(uint64_t groups, uint32_t most_per_dimension);
 
 class ComputeProgram {
  public:
-  /// A storage block that the shader uses, bound by its place among them.
+  /// Storage block that the shader uses, bound by its place among them.
   struct StorageBlock {
     std::string name;
-    uint32_t members = 0;  ///< an array is one
-    uint32_t type = 0;     ///< of the last member: OpenGL's, as GL_FLOAT_VEC2
-    uint32_t stride = 0;   ///< of the last member: bytes from one element of its array to the next
+    uint32_t members = 0;  ///< number of members; an array is one
+    uint32_t type = 0;     ///< type of the last member: OpenGL's, as GL_FLOAT_VEC2
+    uint32_t stride = 0;   ///< stride of the last member: bytes from one element of its array to the next
   };
   struct UniformMember {
-    std::string name;  ///< without "params_block."
+    std::string name;  ///< name without "params_block."
     uint32_t type;     ///< OpenGL's, as GL_FLOAT_VEC2
     uint32_t offset;
   };
 
-  /// Compiled and linked; errors as those of Shader. `params_block` is bound to 0.
+  /// Compiles and links `source`; errors as those of Shader. `params_block` is bound to 0.
   ComputeProgram(const Context& context, const ShaderSource& source);
 
   /// Invocations per group, as the shader declares them.
@@ -42,7 +42,7 @@ class ComputeProgram {
   const std::vector<StorageBlock>& storage() const { return storage_; }
   /// Images that the shader reads, bound by their place among them.
   const std::vector<std::string>& images() const { return images_; }
-  /// Members of uniform blocks: all read the buffer of parameters.
+  /// Members of uniform blocks, all of which read the buffer of parameters.
   const std::vector<UniformMember>& params() const { return params_; }
 
   /// Sets a uniform; does nothing when the shader does not use it.
@@ -53,9 +53,10 @@ class ComputeProgram {
   /// Binds a buffer to the storage block of this name; does nothing when the shader does not use it.
   void bind(std::string_view block, const Buffer& buffer) const;
 
-  /// Runs with what is bound, and makes what was written visible to all that follows.
+  /// Runs the program with what is bound, and makes what it wrote visible to all that follows.
   void dispatch(Groups groups) const;
-  /// The same, with the number of groups read from the three uints from byte `offset` of `groups` on.
+  /// Runs it as dispatch() does, with the numbers of groups read from the three uints from byte `offset` of
+  /// `groups` on.
   void dispatch_indirect(const Buffer& groups, uint32_t offset) const;
 
  private:

@@ -12,7 +12,7 @@
 
 namespace sluice::gpu {
 
-/// What an EGL device offers: its renderer, or why it can't be used.
+/// Description of an EGL device: its renderer, or why it can't be used.
 struct DeviceInfo {
   int index = 0;
   bool software = false;  ///< a processor that plays a graphics card
@@ -20,19 +20,19 @@ struct DeviceInfo {
   std::string problem;    ///< empty when usable
 };
 
-/// All EGL devices in their own order; the index is what Context takes. No context is current afterwards.
+/// EGL devices in their own order; the index is what Context takes. No context is current afterwards.
 /// EnvironmentError when EGL itself is missing.
 std::vector<DeviceInfo> list_devices();
 
-/// One line per device, for messages and for the user.
+/// Text with a line per device, for messages and for the user.
 std::string describe(const std::vector<DeviceInfo>& devices);
 
-/// Where a processor plays the graphics card, fewer than about 20,000 particles are computed faster by one
-/// thread than handed over to several. Tells the driver so, unless LP_NUM_THREADS does; before the first
-/// Context.
+/// Tells a driver that computes on the processor to use a single thread when there are fewer than about
+/// 20,000 particles, which is faster than handing them over to several; unless LP_NUM_THREADS is set. To be
+/// called before the first Context.
 void suit_software_threads(uint64_t particles);
 
-/// EnvironmentError naming the Debian package when the shared library can't be loaded.
+/// Throws an EnvironmentError that names the Debian package when the shared library can't be loaded.
 void require_library(const char* library, const char* package);
 
 /// An OpenGL core context of version 4.3 or later, current after construction. Objects made from it keep a

@@ -13,13 +13,14 @@ struct Candidate {
   bool software = false;
 };
 
-/// EnvironmentError when libEGL or libOpenGL is missing; nothing of EGL may be called before.
+/// Throws an EnvironmentError when libEGL or libOpenGL is missing; nothing of EGL may be called before.
 void require_libraries();
 
 /// The EGL devices, in EGL's own order; none where EGL can't list them.
 std::vector<Candidate> device_candidates();
 
-/// Everything, best first: hardware devices, software devices, the surfaceless platform, the default display.
+/// All that may give a context, best first: hardware devices, software devices, the surfaceless platform, the
+/// default display.
 std::vector<Candidate> all_candidates();
 
 /// The reason of the last failure.

@@ -12,16 +12,16 @@
 
 namespace sluice::gpu {
 
-/// What one invocation of a pass stands for: `run(i)` is called for all i < count, or `run_group(group)` by
-/// all invocations of a group.
+/// Meaning of one invocation of a pass: `run(i)` is called for all i < count, or `run_group(group)` by all
+/// invocations of a group.
 enum class Entry { invocation, group };
 
-/// Consecutive cells that one invocation of the prefix sum takes.
+/// Number of consecutive cells that one invocation of the prefix sum takes.
 inline constexpr uint32_t scan_width = 64;
 
-/// How `load(field, i)` reads a field that the stage does not write: from its storage block, or as a texel of
-/// an image of the buffer. On graphics cards the first is the fast way; llvmpipe reads a block's elements one
-/// by one, with a branch for each, and texels together, about five times as fast.
+/// Way in which `load(field, i)` reads a field that the stage does not write: from its storage block, or as a
+/// texel of an image of the buffer. On graphics cards the first is the fast way; llvmpipe reads a block's
+/// elements one by one, with a branch for each, and texels together, about five times as fast.
 enum class Loads { blocks, texels };
 
 std::string prelude(Stage stage, uint32_t pass, uint32_t group_size, Loads loads);
@@ -32,9 +32,9 @@ std::string_view epilogue(Entry entry);
 bool has_scratch(Stage stage);
 bool ends_sweeps(Stage stage);
 
-/// Block of the field in GLSL: "x_block"; the array in it has the field's name.
+/// Name of the field's block in GLSL: "x_block"; the array in it has the field's name.
 std::string block_name(Field field);
-/// The field as an image: "x_texels".
+/// Name of the field as an image: "x_texels".
 std::string texels_name(Field field);
 /// Numbers of groups in each dimension that stages of a sweep have: those over particles, those over chunks,
 /// and the update, which runs once more when the solve is over.
@@ -44,7 +44,7 @@ enum class SweepGroups : uint32_t { particles, chunks, update, count };
 /// sweeps to come, as SweepGroups.
 inline constexpr std::string_view scratch_block = "scratch_block", sweep_groups_block = "sweep_groups_block";
 
-/// The parameters as the uniform block "params_block" holds them, by the rules of std140.
+/// Place of a parameter in the uniform block "params_block", by the rules of std140.
 struct ParamsMember {
   std::string name;
   Type type;

@@ -11,22 +11,24 @@
 
 namespace sluice::gpu {
 
-/// A shader's text and where it comes from.
+/// Text of a shader, and where it comes from.
 struct ShaderSource {
   std::string name;                ///< as messages call it
-  std::string text;                ///< its pieces, each with lines numbered from a multiple of 100,000 on
+  std::string text;                ///< pieces of text, each with lines numbered from a multiple of 100,000 on
   std::vector<std::string> files;  ///< what these multiples stand for
   bool overridden = false;         ///< some of it comes from the user's folder
 };
 
-/// Where shaders come from: the binary, or for those that are there a folder of the user's.
+/// Source of all shaders: the binary, or for those that are there a folder of the user's.
 class ShaderLibrary {
  public:
-  /// InputError when the folder is not there or has no shader that the program knows.
+  /// Library with the shaders of this folder before those of the binary. InputError when the folder is not
+  /// there or has no shader that the program knows.
   explicit ShaderLibrary(std::optional<std::filesystem::path> folder = std::nullopt);
 
-  /// `prelude`, then the shader of this name with lines `#include "FILE"` replaced by that file, each file
-  /// once. Error when there is no shader, InputError when an overridden one includes what is not there.
+  /// Text of the shader of this name behind `prelude`, with lines `#include "FILE"` replaced by that file,
+  /// each file once. Error when there is no shader, InputError when an overridden one includes what is not
+  /// there.
   ShaderSource load(std::string_view name, std::string_view prelude = {},
                     std::string_view epilogue = {}) const;
 
@@ -53,8 +55,8 @@ std::string with_file_names(std::string_view log, const std::vector<std::string>
 /// A compiled shader; needed only until its program is linked.
 class Shader {
  public:
-  /// `kind` is OpenGL's, as GL_COMPUTE_SHADER. Error, for overridden sources InputError, with the driver's
-  /// log.
+  /// Compiles `source`; `kind` is OpenGL's, as GL_COMPUTE_SHADER. Error, for overridden sources InputError,
+  /// with the driver's log.
   Shader(uint32_t kind, const ShaderSource& source);
   ~Shader();
   Shader(const Shader&) = delete;

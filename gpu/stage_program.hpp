@@ -12,29 +12,29 @@
 
 namespace sluice::gpu {
 
-/// A block of a stage's shader: a field's, or one of the two that are none.
+/// Block of a stage's shader: a field's, or one of the two that are none.
 struct BoundBlock {
   enum class What { field, scratch, sweep_groups } what = What::field;
   Field field = Field::count;
 };
 
-/// The whole text of one pass of a stage. Needs that it asks for are constants, needs_NAME; scenes that
-/// differ in others have the same text.
+/// Text of one pass of a stage, whole. Needs that it asks for are constants, needs_NAME; scenes that differ
+/// in others have the same text.
 ShaderSource stage_source(const ShaderLibrary& shaders, Stage stage, const Needs& needs, const Pass& pass,
                           uint32_t group_size, Loads loads);
 
-/// The text of every pass of a stage, for people: as it is compiled where shaders read from blocks, in groups
-/// of 64.
+/// Text of every pass of a stage, for people: as it is compiled where shaders read from blocks, in groups of
+/// 64.
 std::string stage_listing(const ShaderLibrary& shaders, Stage stage, const Needs& needs);
 
 class StageProgram {
  public:
-  /// Error, for overridden shaders InputError, when the shader's blocks, types, strides or offsets are not
-  /// those of the tables.
+  /// Compiles and links a pass, and checks it. Error, for overridden shaders InputError, when the shader's
+  /// blocks, types, strides or offsets are not those of the tables.
   StageProgram(const Context& context, Stage stage, const ShaderSource& source);
 
   ComputeProgram& program() { return program_; }
-  /// By binding.
+  /// Blocks of the shader, in the order of their bindings.
   const std::vector<BoundBlock>& blocks() const { return blocks_; }
   /// Fields read as images, by unit.
   const std::vector<Field>& images() const { return images_; }

@@ -11,8 +11,9 @@ namespace sluice::gpu {
 
 class Context;
 
-/// On hardware by timestamp queries, read back when they are long done, so that nothing waits. Where a
-/// processor plays the graphics card these mean nothing: there each stage is waited for and a clock read.
+/// Measures the time that stages take. On hardware by timestamp queries, read back when they are long done,
+/// so that nothing waits. Where a processor plays the graphics card these mean nothing: there each stage is
+/// waited for and a clock read.
 class StageTimer {
  public:
   explicit StageTimer(const Context& context);
@@ -24,7 +25,7 @@ class StageTimer {
   /// Counts the time since begin() for `stage`.
   void end(Stage stage);
   void reset();
-  /// Waits for what is still under way.
+  /// Seconds counted for `stage`; waits for what is still under way.
   double seconds(Stage stage);
 
  private:

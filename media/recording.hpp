@@ -32,7 +32,7 @@ class RecordingWriter {
   ~RecordingWriter();
   RecordingWriter(RecordingWriter&&) noexcept;
 
-  /// The next frame. One of the same step as the last takes no room.
+  /// Adds the next frame. One of the same step as the last takes no room.
   void add(const StepReport& report, double seconds_per_step, const Snapshot& state);
 
   size_t frames() const;
@@ -73,7 +73,7 @@ class Recording {
 /// Whether the file begins as a recording does, however short it was cut.
 bool is_recording(const std::filesystem::path& path);
 
-/// InputError when it does: for where a scene is wanted.
+/// Throws an InputError when the file begins as a recording does: for where a scene is wanted.
 void refuse_recording(const std::filesystem::path& path);
 
 }  // namespace sluice::media

@@ -12,7 +12,7 @@ inline constexpr std::string_view recording_magic = "sluice recording";
 inline constexpr FileKind recording_file_kind{recording_magic, 2, "recording", "`sluice run --record`",
                                               "copy it again or record the run once more"};
 
-/// Where a frame is and what it shows.
+/// Entry of the index: where a frame is, and what it shows.
 struct IndexEntry {
   uint64_t offset = 0, bytes = 0;
   uint64_t step = 0;
@@ -27,7 +27,7 @@ struct Tail {
   std::array<char, 8> end{'e', 'n', 'd', ' ', 'o', 'f', ' ', '1'};
 };
 
-/// Everything of a frame but the particles, in this order.
+/// Numbers of a frame before its particles, in this order.
 struct FrameFacts {
   uint64_t step = 0;
   uint32_t iterations = 0, converged = 1;
@@ -40,7 +40,8 @@ struct FrameFacts {
   double wall_force_x = 0, wall_force_y = 0;
 };
 
-/// An array of each: x and y from the lower left corner of the domain, vx, vy, density, pressure.
+/// Number of arrays in a frame, one of each: x and y from the lower left corner of the domain, vx, vy,
+/// density, pressure.
 inline constexpr size_t values_per_particle = 6;
 
 }  // namespace sluice::media

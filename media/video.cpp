@@ -84,8 +84,8 @@ int spawn(std::vector<std::string> words, int input, int messages, pid_t& pid) {
   return failed;
 }
 
-/// Where this program was started without standard input or output, files get their numbers, which ffmpeg's
-/// own would then take from them.
+/// Moves a descriptor beyond the numbers of standard input, output and error: where this program was started
+/// without those, files get their numbers, which ffmpeg's own would then take from them.
 int beyond_standard(int descriptor) {
   if (descriptor < 0 || descriptor > STDERR_FILENO) return descriptor;
   const int moved = fcntl(descriptor, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
@@ -183,7 +183,7 @@ void VideoFile::fail(int status) {
   throw EnvironmentError(failure_);
 }
 
-/// Its last messages; the reason comes last, and a bad disk can make it say much.
+/// Last messages of ffmpeg; the reason comes last, and a bad disk can make it say much.
 std::string VideoFile::what_ffmpeg_said() const {
   constexpr off_t longest = 2000;
   const off_t length = lseek(messages_, 0, SEEK_END);

@@ -25,8 +25,8 @@ class VideoFile {
   VideoFile(const VideoFile&) = delete;
   VideoFile& operator=(const VideoFile&) = delete;
 
-  /// One frame, of the size given at the start; waits while ffmpeg is busy. EnvironmentError with what ffmpeg
-  /// said when it has given up; every later call says so again.
+  /// Writes one frame, of the size given at the start; waits while ffmpeg is busy. EnvironmentError with what
+  /// ffmpeg said when it has given up; every later call says so again.
   void write(const draw::Image& image);
 
   /// Waits for ffmpeg and gives the file its name; a second call does nothing. Without a picture there is no

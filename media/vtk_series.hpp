@@ -30,7 +30,8 @@ class VtkSeries {
   void finish();
 
   uint64_t count() const { return times_.size(); }  ///< files of fluid so far
-  /// Files of an earlier, longer run that follow this run's own in the folder; fluid.pvd does not list them.
+  /// Number of files of an earlier, longer run that follow this run's own in the folder; fluid.pvd does not
+  /// list them.
   uint64_t older_files() const;
 
  private:

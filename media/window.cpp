@@ -165,7 +165,7 @@ void Window::State::open(glm::uvec2 size, const std::string& title) {
   resize(size);
 }
 
-/// As large as asked for, or smaller in the same proportions.
+/// Size of the window: as large as asked for, or smaller in the same proportions.
 glm::ivec2 Window::State::within_screen(glm::uvec2 size) {
   glm::ivec2 room(size), corner;
   if (GLFWmonitor* monitor = glfw().glfwGetPrimaryMonitor(); monitor != nullptr)

@@ -12,15 +12,15 @@ namespace sluice::media {
 /// Keys that write no character.
 enum class Key { none, left, right, up, down, home, end, enter, escape };
 
-/// One thing the user did. Places are in pixels from the window's top left corner.
+/// Something that the user did. Places are in pixels from the window's top left corner.
 struct WindowEvent {
   enum Kind { key, character, press, drag, release, wheel, redraw };
   Kind kind = redraw;
   Key pressed = Key::none;
   char32_t typed = 0;
-  glm::dvec2 at{};     ///< of the pointer
-  glm::dvec2 moved{};  ///< since the last drag
-  double clicks = 0;   ///< of the wheel, up is positive
+  glm::dvec2 at{};     ///< place of the pointer
+  glm::dvec2 moved{};  ///< way of the pointer since the last drag
+  double clicks = 0;   ///< clicks of the wheel, up is positive
 };
 
 class Window {
@@ -38,7 +38,7 @@ class Window {
   /// Asks for as many pixels, or as many as the screen has room for. Done once events() says so.
   void resize(glm::uvec2 size);
 
-  /// What happened since the last call. Waits for something to happen for `seconds` at most.
+  /// Events since the last call. Waits for something to happen for `seconds` at most.
   std::vector<WindowEvent> events(double seconds);
   /// Whether the user has closed the window.
   bool closed() const;

@@ -70,7 +70,7 @@ class HardCases {
   std::vector<HardCase> cases_;
 };
 
-/// All of them, in the order of docs/hard_cases.md.
+/// All of them, in the order of docs/results/hard_cases.md.
 std::vector<HardCase> hard_cases();
 
 // By topic; each adds its own.

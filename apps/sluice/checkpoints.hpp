@@ -19,14 +19,15 @@ std::optional<Checkpoint> checkpoint_to_resume(const RunOptions& options);
 /// is none, or when it differs from that of the checkpoint in anything that counts for the steps.
 Scene scene_to_run(const RunOptions& options, const std::optional<Checkpoint>& from);
 
-/// The start, or where the checkpoint left off. InputError when the checkpoint has other particles.
+/// Simulator at the start, or where the checkpoint left off. InputError when the checkpoint has other
+/// particles.
 Simulator make_simulator(const RunOptions& options, const Scene& scene, const Samples& samples,
                          Backend& backend, const std::optional<Checkpoint>& from);
 
-/// When a checkpoint is due: at the first step with time >= k T, for every k from 1 on.
+/// Clock that says when a checkpoint is due: at the first step with time >= k T, for every k from 1 on.
 class CheckpointClock {
  public:
-  /// `every` in the scene's time; nothing is due up to `time`.
+  /// Clock with the interval `every` in the scene's time; nothing is due up to `time`.
   CheckpointClock(double every, double time);
   bool advance(double time);
 
@@ -35,7 +36,7 @@ class CheckpointClock {
   double every_, passed_;
 };
 
-/// What --checkpoint and --checkpoint-every ask for.
+/// Checkpoints that --checkpoint and --checkpoint-every ask for.
 class Checkpoints {
  public:
   /// Makes sure that the place can be written. `time` is that from which the run goes on.
@@ -44,12 +45,12 @@ class Checkpoints {
   /// Whether there is one to be written at all.
   bool wanted() const { return writer_ && !held_; }
   bool due(double time) { return wanted() && clock_ && clock_->advance(time); }
-  /// From here on the run is no longer that of a later end: the last one stays.
+  /// Keeps the last checkpoint from now on, since the run is no longer that of a later end.
   void hold() { held_ = true; }
-  /// Returns when it is on the disk. Does nothing where none is wanted, where it is there already, and after
-  /// a step that failed: the last good one stays.
+  /// Writes a checkpoint, and returns when it is on the disk. Does nothing where none is wanted, where it is
+  /// there already, and after a step that failed: the last good one stays.
   void write(const Simulator& simulator, const RunStatistics& statistics);
-  /// After a run that became invalid: which checkpoint there is.
+  /// Says, after a run that became invalid, which checkpoint there is.
   void tell_of_last() const;
 
  private:
@@ -57,7 +58,7 @@ class Checkpoints {
   std::optional<CheckpointWriter> writer_;
   std::optional<CheckpointClock> clock_;
   bool held_ = false;
-  std::optional<uint64_t> written_;  ///< the step of the last one
+  std::optional<uint64_t> written_;  ///< step of the last checkpoint
 };
 
 }  // namespace sluice::app

@@ -7,7 +7,7 @@
 
 namespace sluice::app {
 
-/// What came of a task.
+/// End of a task.
 struct ChildEnd {
   std::string text;  ///< what it returned, or the message of what it threw
   int code = 0;      ///< 0, or 2 for InputError and 3 for any other exception

@@ -13,7 +13,7 @@ namespace sluice::app {
 /// than once.
 using NamedFile = std::pair<std::string, std::optional<std::filesystem::path>>;
 
-/// InputError when one is there twice.
+/// Throws an InputError when a file is there twice.
 void refuse_clashes(const std::vector<NamedFile>& files);
 
 }  // namespace sluice::app

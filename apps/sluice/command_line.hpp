@@ -18,7 +18,7 @@ int fail(int code, const std::string& message);
 /// and InputError for an option whose value is wrong.
 int run_command_line(int argc, char** argv);
 
-/// The options of `sluice run WORDS...`. Throws InputError, or an exception of the parser.
+/// Options of `sluice run WORDS...`. Throws InputError, or an exception of the parser.
 RunOptions run_options_of(std::vector<std::string> words);
 
 }  // namespace sluice::app

@@ -31,7 +31,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 constexpr double most_frames = 1e6;  // frame names have six digits
 
-/// Where a run ends: after so many steps, or at a time.
+/// End of a run: after so many steps, or at a time.
 struct RunEnd {
   uint64_t steps = std::numeric_limits<uint64_t>::max();
   double time = std::numeric_limits<double>::infinity();
@@ -58,7 +58,7 @@ RunEnd end_of(const RunOptions& options, const Scene& scene) {
   return {.steps = static_cast<uint64_t>(steps)};
 }
 
-/// Of a run up to this time.
+/// Refuses a run up to this time that would have too many frames.
 void limit_frames(const RunOptions& options, const Scene& scene, double time) {
   const double frames = std::floor((time + FrameClock::slack) * scene.fps) + 1;
   if (!options.frames.any() || frames <= most_frames) return;

@@ -12,7 +12,7 @@ struct Difference {
   std::string before, now;  ///< the values as JSON, or "none"
 };
 
-/// The first difference in the order of `before` that counts for the steps: not one in output, in scene or in
+/// First difference, in the order of `before`, that counts for the steps: not one in output, in scene or in
 /// time.duration.
 std::optional<Difference> first_difference(const nlohmann::ordered_json& before,
                                            const nlohmann::ordered_json& now);

@@ -15,7 +15,7 @@
 
 namespace sluice::app {
 
-/// Pictures in a folder: frame_000000.png, ...
+/// Folder of pictures: frame_000000.png, ...
 class PictureFolder {
  public:
   /// Creates the folder. The first picture has the number `first`.
@@ -23,10 +23,10 @@ class PictureFolder {
 
   void write(draw::Image image);
   void flush();   ///< returns when all pictures so far have been written
-  void finish();  ///< the same; nothing may be written afterwards
+  void finish();  ///< waits as flush() does; nothing may be written afterwards
 
   uint64_t count() const { return next_ - first_; }
-  /// Pictures of an earlier, longer run that follow this run's own in the folder.
+  /// Number of pictures of an earlier, longer run that follow this run's own in the folder.
   uint64_t older_pictures() const;
 
  private:
@@ -35,13 +35,13 @@ class PictureFolder {
   uint64_t first_, next_;
 };
 
-/// Frames of a run that were due up to the checkpoint which it goes on from.
+/// Frames of a run that were due up to the checkpoint from which it goes on.
 struct FramesBefore {
   uint64_t count = 0;
-  double time = 0;  ///< of the checkpoint
+  double time = 0;  ///< time of the checkpoint
 };
 
-/// Where a frame's particles come from.
+/// Source of a frame's particles.
 struct StateSource {
   std::function<Snapshot()> snapshot;
   const gpu::GpuBackend* on_device = nullptr;  ///< if set, pictures are drawn from its buffers
@@ -55,17 +55,17 @@ class FrameOutputs {
                const std::string& device, const std::function<const gpu::Context&()>& context,
                const FramesBefore& before = {});
 
-  /// The next frame. One of the same step as the last is written again, but not drawn again.
+  /// Adds the next frame. One of the same step as the last is written again, but not drawn again.
   void add(const StepReport& report, double seconds_per_step, const StateSource& source);
 
-  /// Returns when the pictures so far have been written.
+  /// Waits until the pictures so far have been written.
   void flush();
 
-  /// Returns when everything is on disk and has its name. Where one can't be, the others still are, and then
-  /// the failure is thrown.
+  /// Waits until everything is on disk and has its name. Where one output can't be finished, the others still
+  /// are, and then the failure is thrown.
   void finish();
 
-  /// What was written, for people, and a warning where files of an earlier run are in the way.
+  /// Says what was written, for people, and warns where files of an earlier run are in the way.
   void tell(bool quiet) const;
 
  private:

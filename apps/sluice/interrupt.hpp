@@ -3,7 +3,7 @@
 
 namespace sluice::app {
 
-/// From here on SIGINT, SIGTERM and SIGHUP don't end the program but are remembered.
+/// Remembers SIGINT, SIGTERM and SIGHUP from now on, which then don't end the program.
 void note_interrupts();
 bool interrupted();
 

@@ -12,12 +12,12 @@
 
 namespace sluice::app {
 
-/// How many times its fields' memory a run may take: a software OpenGL copies some.
+/// Factor on the memory of the fields that a run may take: a software OpenGL copies some.
 double memory_factor(const MachineOptions& options);
 
 class Machine {
  public:
-  /// For a run of `particles` fluid particles. InputError for a choice that contradicts itself,
+  /// Machine for a run of `particles` fluid particles. InputError for a choice that contradicts itself,
   /// EnvironmentError when --backend gpu finds no OpenGL. With `shown`, the context of a window that outlives
   /// this, it computes and draws there.
   Machine(const MachineOptions& options, uint64_t particles, const gpu::Context* shown = nullptr);
@@ -25,7 +25,7 @@ class Machine {
   Backend& backend() { return *backend_; }
   const gpu::GpuBackend* gpu_backend() const { return gpu_backend_; }  ///< null on the CPU
   const gpu::Context& context();
-  /// What was chosen and why, for people.
+  /// Text that says what was chosen and why, for people.
   const std::string& choice() const { return choice_; }
 
  private:

@@ -26,7 +26,7 @@ SLUICE_DECLARE_CHOICES(BackendChoice, SLUICE_BACKEND_CHOICES)
 SLUICE_DECLARE_CHOICES(OverlayChoice, SLUICE_OVERLAY_CHOICES)
 // clang-format on
 
-/// Where to compute and draw.
+/// Options of where to compute and draw.
 struct MachineOptions {
   BackendChoice backend = BackendChoice::automatic;
   Precision precision = Precision::single_;
@@ -36,7 +36,7 @@ struct MachineOptions {
   std::optional<std::filesystem::path> shader_dir;
 };
 
-/// What is made of the frames of a run, or of a recording of it.
+/// Options of what is made of the frames of a run, or of a recording of it.
 struct FrameOptions {
   std::optional<std::filesystem::path> frames, video, vtk, record;
   OverlayChoice overlay = OverlayChoice::facts;
@@ -69,7 +69,7 @@ struct ExportOptions {
 
 struct PlayOptions {
   std::string source;                  ///< a scene or a recording; empty for the list of scenes
-  std::vector<std::string> overrides;  ///< as those of RunOptions
+  std::vector<std::string> overrides;  ///< KEY=VALUE, as in RunOptions
   MachineOptions machine;
   std::optional<uint64_t> steps;
   std::optional<double> time;

@@ -10,7 +10,7 @@
 
 namespace sluice::app {
 
-/// Title, method, time, iterations, particles; with `all` also the wall time of the step.
+/// Lines on a picture: title, method, time, iterations, particles; with `all` also the wall time of the step.
 std::vector<std::string> overlay_text(const Scene& scene, const Samples& samples, const StepReport& report,
                                       OverlayChoice overlay, double seconds_per_step);
 

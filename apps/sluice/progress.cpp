@@ -12,7 +12,7 @@
 namespace sluice::app {
 namespace {
 
-/// Of the terminal; a line that is wrapped could not be rewritten.
+/// Width of the terminal; a line that is wrapped could not be rewritten.
 size_t columns() {
   winsize size{};
   const bool known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;

@@ -12,21 +12,21 @@ namespace sluice::app {
 
 class Progress {
  public:
-  /// Of so many `units`, "steps" or "frames", or if that is 0 as many as it takes, which end at the simulated
-  /// time `duration`. Shows nothing when `quiet` or when standard error is not a terminal. An earlier run did
-  /// `before` of them, up to `time_before`.
+  /// Progress in so many `units`, "steps" or "frames", or if `total` is 0 in as many as it takes to reach the
+  /// simulated time `duration`. Shows nothing when `quiet` or when standard error is not a terminal. An
+  /// earlier run did `before` of them, up to `time_before`.
   Progress(uint64_t total, double duration, std::string units, bool quiet, uint64_t before = 0,
            double time_before = 0);
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// `done` of them, of which so many did not converge; the last is this.
+  /// Shows that `done` of them are done, of which so many did not converge; the last is this.
   void show(uint64_t done, const StepReport& report, uint64_t not_converged = 0);
 
  private:
   using Clock = std::chrono::steady_clock;
-  /// Of the whole, from 0 to 1.
+  /// Share of the whole that is done, from 0 to 1.
   double share(uint64_t count, double time) const;
   uint64_t total_, before_;
   double duration_, time_before_;

@@ -72,7 +72,8 @@ void list(const StudyOptions& options, const std::vector<HardCase>& cases) {
   }
 }
 
-/// In a process of its own, since a process that has OpenGL may not have children.
+/// Name of the OpenGL renderer, asked in a process of its own, since one that has OpenGL may not have
+/// children.
 std::string renderer() {
   std::string found;
   const auto task = [](size_t) { return gpu::Context().renderer(); };

@@ -76,7 +76,7 @@ bool run_all(const std::vector<Point>& points, const fs::path& folder, int jobs)
   return all;
 }
 
-/// Of those results that are there. Returns the exit code.
+/// Makes the tables of those results that are there. Returns the exit code.
 int collect(const Study& study, const std::vector<Point>& points, const fs::path& from, const fs::path& to) {
   const auto [results, unusable] = results_in(from, points);
   for (const std::string& what : unusable) fmt::print(stderr, "sluice: {}\n", what);

@@ -8,7 +8,8 @@ namespace sluice::app {
 
 using namespace study;
 
-/// Returns the exit code: 1 when something that is asserted did not come out, or a point could not be run.
+/// Runs a study of points, or what `options` ask for in its place. Returns the exit code: 1 when something
+/// that is asserted did not come out, or a point could not be run.
 int study_points(const Study& study, const StudyOptions& options);
 
 }  // namespace sluice::app

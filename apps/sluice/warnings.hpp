@@ -10,19 +10,20 @@
 
 namespace sluice::app {
 
-/// One line on standard error, unless `quiet`.
+/// Writes one line to standard error, unless `quiet`.
 void warn(bool quiet, const std::string& message);
 
-/// Options for OpenGL in a run that neither computes nor draws with it.
+/// Warns of options for OpenGL in a run that neither computes nor draws with it.
 void warn_of_unused_opengl(const MachineOptions& options, bool quiet);
 
-/// Why a run became invalid, where, and what often helps.
+/// Text that says why a run became invalid, where, and what often helps.
 std::string failure_text(const Scene& scene, const RunStatistics& statistics, const Failure& failure);
 
-/// Which particles left the domain, when and where, if any did.
+/// Warns of the particles that left the domain, if any did, with the place and the moment.
 void warn_of_losses(const RunStatistics& statistics, const std::vector<Loss>& losses, bool quiet);
 
-/// Steps that did not converge, particles that moved too far or were lost, and where, a fluid that gives way.
+/// Warns of steps that did not converge, of particles that moved too far or were lost, and where, and of a
+/// fluid that gives way.
 void warn_of_poor_run(const Scene& scene, const RunStatistics& statistics, const std::vector<Loss>& losses,
                       bool quiet);
 

@@ -23,10 +23,10 @@ struct RunAgreement {
   uint64_t first_difference_step = 0;  ///< 0: none
   double max_dx_over_h = 0;            ///< largest distance between two places of a particle, over all steps
   bool iterations_equal = true;
-  /// Why the reference's run, or the other, became invalid in the last of these steps.
+  /// Failure of the reference's run, or of the other's, in the last of these steps.
   std::optional<Failure> reference_failure, other_failure;
 
-  /// Both have to end alike; and be equal, unless there is a tolerance.
+  /// Whether both runs end alike and, unless there is a tolerance, with equal states.
   bool passes(double tolerance) const {
     const bool ended_alike = reference_failure.has_value() == other_failure.has_value();
     return ended_alike && (tolerance > 0 || (equal && iterations_equal));
@@ -36,17 +36,17 @@ struct RunAgreement {
 struct Agreement {
   std::vector<StageAgreement> stages;
   RunAgreement run;
-  double tolerance = 0;  ///< of the stages, in units in the last place of a field's largest value
+  double tolerance = 0;  ///< tolerance of the stages, in units in the last place of a field's largest value
   bool pass = false;
 };
 
 /// Whether two states are the same to the last bit.
 bool same_bits(const Snapshot& a, const Snapshot& b);
 
-/// The backends that are held against each other.
+/// Backends that are held against each other.
 struct Contestants {
   Backend& reference;    ///< runs alone, and compares its stages with
-  Backend& stage_other;  ///< this one, which never runs by itself
+  Backend& stage_other;  ///< computes the stages that are compared; never runs by itself
   Backend& run_other;    ///< runs beside the reference
 };
 
@@ -56,11 +56,11 @@ struct Contestants {
 Agreement agree(const Scene& scene, const Samples& samples, const Contestants& contestants, uint64_t steps,
                 double tolerance);
 
-/// One stage held against itself on another backend.
+/// Comparison of one stage with itself on another backend.
 struct StageTrial {
   StageAgreement agreement;
-  uint64_t steps = 0;                ///< in which it was compared
-  std::vector<WatchedField> fields;  ///< as they were then
+  uint64_t steps = 0;                ///< steps in which it was compared
+  std::vector<WatchedField> fields;  ///< their values in the last comparison
 };
 
 /// Runs `steps` >= 1 steps on `reference` and in each of them `stage` on `other` too, from the same input.

@@ -9,7 +9,7 @@ namespace {
 
 constexpr FieldSet list_fields{Field::list, Field::index, Field::gradient};
 
-/// As many values as `field` has, none of which a stage could have meant.
+/// Values for all of `field`, none of which a stage could have meant.
 FieldValues poison(Field field, const Sizes& sizes) {
   const uint64_t count = sizes.of(info(field).length) * element_bytes(info(field).type, 4) / 4;
   FieldValues values;
@@ -35,7 +35,7 @@ FieldValues shown_values(const Backend& backend, Field field, const Sizes& sizes
   return {{}, field == Field::list ? lists.lengths : lists.index};
 }
 
-/// Until grid_order has run, the order of L within a cell is left to chance.
+/// Sorts L within each cell: until grid_order has run, the order there is left to chance.
 void sort_within_cells(std::vector<uint32_t>& L, const Backend& backend, const Sizes& sizes) {
   const std::vector<uint32_t> C = values_of(backend, Field::C, sizes).integers;
   for (uint64_t cell = 0; cell + 1 < C.size(); ++cell) {

@@ -11,7 +11,7 @@
 
 namespace sluice {
 
-/// All values of a field; one of the two vectors is empty.
+/// Values of a field, all of them; one of the two vectors is empty.
 struct FieldValues {
   std::vector<double> reals;
   std::vector<uint32_t> integers;
@@ -26,7 +26,7 @@ struct NeighbourLists {
 };
 NeighbourLists lists_of(const Backend& backend, const Sizes& sizes);
 
-/// A field as two backends have it; those of the neighbour list particle by particle.
+/// Values of one field on two backends; those of the neighbour list particle by particle.
 struct WatchedField {
   Field field;
   FieldValues reference, other;
@@ -64,14 +64,14 @@ class ComparingBackend final : public ForwardingBackend {
   ComparingBackend(Backend& reference, Backend& other) : ForwardingBackend(reference), other_(other) {}
 
   void compare_from_now_on(bool on) { comparing_ = on; }
-  /// Only `stage` is compared, and what the two backends then have in `fields` is kept.
+  /// Compares only `stage` from now on, and keeps what the two backends then have in `fields`.
   void watch(Stage stage, FieldSet fields) {
     watched_ = stage;
     watched_fields_ = fields;
   }
-  /// The watched fields when the stage was compared last.
+  /// Watched fields, as they were when the stage was compared last.
   const std::vector<WatchedField>& watched() const { return watched_values_; }
-  /// What was found so far, by stage; no values where a stage was never compared.
+  /// Differences of a stage found so far; without values where it was never compared.
   const Difference& difference(Stage stage) const { return found_[static_cast<uint32_t>(stage)]; }
 
   void allocate(FieldSet fields, const Sizes& sizes) override;

@@ -9,10 +9,10 @@
 
 namespace sluice {
 
-/// What a comparison found.
+/// Findings of a comparison.
 struct Difference {
   double max_abs = 0;  ///< largest |a - b|; infinite where something is not finite or sizes differ
-  double max_ulp = 0;  ///< the same in units in the last place of the reference's largest value, in float
+  double max_ulp = 0;  ///< max_abs in units in the last place (of a float) of the reference's largest value
   uint64_t values = 0, equal = 0;
   bool all_zero = true;  ///< the reference holds nothing but zeros
 
@@ -28,10 +28,10 @@ struct Difference {
   bool within(double tolerance_ulp) const {
     return tolerance_ulp > 0 ? max_ulp <= tolerance_ulp : equal == values;
   }
-  /// The same, and there was something to compare.
+  /// Whether something was compared, and is within `tolerance_ulp`.
   bool agrees(double tolerance_ulp) const { return values > 0 && !all_zero && within(tolerance_ulp); }
 
-  /// Takes in what another comparison found.
+  /// Adds the findings of another comparison.
   void add(const Difference& more);
 };
 

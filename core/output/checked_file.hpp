@@ -33,7 +33,7 @@ T read_from(std::string_view bytes, size_t at) {
   return value;
 }
 
-/// XXH3, 64 bits, of bytes that come in parts.
+/// Checksum (XXH3, 64 bits) of bytes that come in parts.
 class Checksum {
  public:
   Checksum();  ///< EnvironmentError when there is no memory
@@ -50,26 +50,26 @@ class Checksum {
 /// The header of a file about a run, as JSON: the scene with its overrides, and how and where it is computed.
 std::string run_header(const Scene& scene, Precision precision, const std::string& device);
 
-/// The bytes that a file of this kind begins with: magic, format, size of the header, header.
+/// First bytes of a file of this kind: magic, format, size of the header, header.
 std::string preamble(const FileKind& kind, std::string_view header);
 
-/// A file that is read, and its name, for messages.
+/// File that is read, with its name for messages.
 class CheckedFile {
  public:
-  /// InputError with the name when it can't be read.
+  /// Opens the file. InputError with the name when it can't be read.
   CheckedFile(std::filesystem::path path, const FileKind& kind);
 
   /// Checks the first bytes. Returns the size of the header that follows at header_offset(), which may lie.
   uint32_t read_preamble();
   uint64_t header_offset() const { return kind_.magic.size() + 2 * sizeof(uint32_t); }
 
-  /// InputError where the file ends before that.
+  /// Reads `bytes` bytes from `offset` on. InputError where the file ends before that.
   std::string read(uint64_t offset, uint64_t bytes);
-  /// Of the first `bytes` bytes.
+  /// Checksum of the first `bytes` bytes.
   uint64_t checksum(uint64_t bytes);
   uint64_t size() const { return size_; }
 
-  /// InputError that begins with the name.
+  /// Throws an InputError that begins with the name.
   [[noreturn]] void refuse(const std::string& what) const;
   [[noreturn]] void refuse_altered() const;
 

@@ -48,7 +48,7 @@ bool from_bytes(std::string_view bytes, std::span<double> values) {
   return finite;
 }
 
-/// The same numbers, to be read or written in this order.
+/// Diagnostics as numbers, to be read or written in this order.
 auto numbers_of(auto& d) {
   return std::array{
       &d.mean_density,     &d.mean_compression, &d.max_compression, &d.kinetic_energy,   &d.potential_energy,

@@ -22,7 +22,7 @@ class CheckpointWriter {
   ~CheckpointWriter();
   CheckpointWriter(CheckpointWriter&&) noexcept;
 
-  /// Returns when it is on the disk.
+  /// Writes a checkpoint, and returns when it is on the disk.
   void write(const SimulationState& state, const RunCounts& counts);
 
  private:
@@ -37,12 +37,12 @@ struct Checkpoint {
   RunCounts counts;
 };
 
-/// InputError, with the file's name and what is wrong, when it is no checkpoint, was cut off or altered, or
-/// was made by another version of the format. Whether the particles are as many as the scene has is for
-/// whoever samples it to say.
+/// Reads a checkpoint. InputError, with the file's name and what is wrong, when it is no checkpoint, was cut
+/// off or altered, or was made by another version of the format. Whether the particles are as many as the
+/// scene has is for whoever samples it to say.
 Checkpoint read_checkpoint(const std::filesystem::path& path);
 
-/// InputError when the file begins as a checkpoint does: for where a scene is wanted.
+/// Throws an InputError when the file begins as a checkpoint does: for where a scene is wanted.
 void refuse_checkpoint(const std::filesystem::path& path);
 
 }  // namespace sluice

@@ -14,12 +14,12 @@ inline constexpr FileKind checkpoint_file_kind{
     checkpoint_magic, 1, "checkpoint", "`sluice run --checkpoint`",
     "copy it again, go on from an earlier one or run the scene from its start"};
 
-/// Between the header and the particles.
+/// Numbers between the header and the particles.
 struct CheckpointFacts {
   uint64_t particles = 0;
   RunClock clock;
   RunCounts counts;
-  /// Of the last step, in the order of Diagnostics; `lost` is that of the counts.
+  /// Diagnostics of the last step, in their order; `lost` is that of the counts.
   std::array<double, 12> diagnostics{};
 };
 static_assert(sizeof(CheckpointFacts) == 8 + 5 * 8 + 10 * 8 + 12 * 8, "no bytes that nobody sets");

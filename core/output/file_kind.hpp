@@ -7,10 +7,10 @@
 
 namespace sluice {
 
-/// What a file says that it is.
+/// Kind of a file, as its first bytes tell it.
 struct FileKind {
-  std::string_view magic;    ///< its first bytes
-  uint32_t format;           ///< the number behind them
+  std::string_view magic;    ///< first bytes of the file
+  uint32_t format;           ///< number of the format, behind them
   std::string_view name;     ///< "recording"
   std::string_view made_by;  ///< the command that writes it
   std::string_view advice;   ///< what to do about one that is damaged

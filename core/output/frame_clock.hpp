@@ -5,15 +5,16 @@
 
 namespace sluice {
 
-/// Frame k shows the state after the first step whose time is at least k/fps; frame 0 the start.
+/// Clock of a run's frames: frame k shows the state after the first step whose time is at least k/fps, frame
+/// 0 the start.
 class FrameClock {
  public:
-  /// A time that rounding keeps this much short of a frame's counts as reached.
+  /// Slack of a frame's time: a time that rounding keeps this much short of it counts as reached.
   static constexpr double slack = 1e-9;
 
   explicit FrameClock(double fps) : fps_(fps) {}
 
-  /// How many frames are due at this time that were not before.
+  /// Number of frames that are due at this time and were not before.
   uint64_t advance(double time) {
     const uint64_t before = count_;
     while (time >= static_cast<double>(count_) / fps_ - slack) ++count_;

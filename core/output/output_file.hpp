@@ -24,15 +24,15 @@ class OutputFile {
   /// Writes what is buffered, closes, and gives the file its name. Nothing may be written afterwards.
   void commit();
 
-  /// The same, and returns only when the bytes and the name are on the disk: after a power cut the file is
-  /// there.
+  /// Commits as commit() does, and returns only when the bytes and the name are on the disk: after a power
+  /// cut the file is there.
   void commit_to_disk();
 
-  /// The name that was asked for.
+  /// Path that was asked for.
   const std::filesystem::path& path() const { return path_; }
 
-  /// Where the bytes are until commit(), for another program that writes them by name instead of write().
-  /// Empty with a device or a pipe, and after commit().
+  /// Path of the bytes until commit(), for another program that writes them by name instead of write(). Empty
+  /// with a device or a pipe, and after commit().
   const std::filesystem::path& temporary() const { return temporary_; }
 
  private:
@@ -50,7 +50,7 @@ class OutputFile {
   int descriptor_ = -1;
 };
 
-/// The whole file at once.
+/// Writes a whole file at once.
 void write_file(const std::filesystem::path& path, std::string_view bytes);
 
 }  // namespace sluice

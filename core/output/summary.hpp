@@ -9,8 +9,8 @@
 
 namespace sluice {
 
-/// What means and extremes are made of. Kept whole in checkpoints, so a change of it is a change of their
-/// format.
+/// Sums and counts that means and extremes are made of. They are kept whole in checkpoints, so a change of
+/// them is a change of their format.
 struct RunCounts {
   uint64_t steps = 0, iterations = 0, not_converged = 0, repeats = 0;
   uint32_t iterations_max = 0, lost = 0;
@@ -21,7 +21,7 @@ struct RunCounts {
 /// Means and extremes over the steps of a run, those before a checkpoint included.
 class RunStatistics {
  public:
-  /// `before` are the steps that led to the checkpoint which the run goes on from.
+  /// Statistics that go on from `before`, the steps that led to the checkpoint from which the run goes on.
   explicit RunStatistics(const RunCounts& before = {}) : counts_(before), before_(before) {}
   void add(const StepReport& report);
 
@@ -36,7 +36,7 @@ class RunStatistics {
   uint32_t lost() const { return counts_.lost; }
   double dt_min() const { return counts_.dt_min; }
   double dt_max() const { return counts_.dt_max; }
-  /// Times an adaptive step was done again with a shorter dt.
+  /// Number of times that an adaptive step was done again with a shorter dt.
   uint64_t repeats() const { return counts_.repeats; }
 
   const RunCounts& counts() const { return counts_; }
@@ -57,10 +57,10 @@ struct RunSummary {
   double seconds = 0;  ///< wall time of the steps made here, loading and output excluded
 };
 
-/// All of it, settings included; numbers that are not finite become null.
+/// Summary as JSON, settings included; numbers that are not finite become null.
 nlohmann::ordered_json to_json(const RunSummary& summary);
 
-/// A few lines and the table of time per stage.
+/// Summary for people: a few lines, and the table of time per stage.
 std::string to_text(const RunSummary& summary);
 
 /// Version of Sluice.

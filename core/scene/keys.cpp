@@ -1,4 +1,4 @@
-// The rows of the key table. To add a key, add its row here and read it in scene_build.
+// The rows of the key table. To add a key, add its row here and read it in build.cpp.
 #include "core/scene/keys.hpp"
 
 #include <array>

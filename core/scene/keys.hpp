@@ -1,5 +1,5 @@
 // The table of everything a scene file can say: one row per key, one row per table. It is pure data;
-// validation (scene_check), the defaults, the settings of a run and docs/scene_keys.md are all made from it.
+// validation (check.cpp), the defaults, the settings of a run and docs/scene_keys.md are all made from it.
 #pragma once
 
 #include <limits>

@@ -1,4 +1,4 @@
-// A scene: what is simulated, with which models, for how long. Made by load_scene (core/scene_file.hpp) from
+// A scene: what is simulated, with which models, for how long. Made by load_scene (core/scene/load.hpp) from
 // a TOML file, whole and validated, and never changed afterwards. Lengths and times are in the scene's own
 // units.
 #pragma once

@@ -1,6 +1,5 @@
 // A TOML document as a plain tree in which every value knows where it came from: a place in the file or a
-// --set override. All of scene_check, scene_overrides and scene_build work on it; only scene_tree.cpp knows
-// the parser.
+// --set override. All of check.cpp, overrides.cpp and build.cpp work on it; only parse.cpp knows the parser.
 #pragma once
 
 #include <compare>
@@ -42,7 +41,7 @@ struct SceneValue {
   /// The member of a table with this name, or null; null too when this is no table.
   const SceneValue* find(std::string_view name) const;
   SceneValue* find(std::string_view name);
-  /// The member that is known to be there: for a tree that scene_check has been through.
+  /// The member that is known to be there: for a tree that check_scene has been through.
   const SceneValue& at(std::string_view name) const;
   /// Removes the member with this name, if there is one.
   void erase(std::string_view name);

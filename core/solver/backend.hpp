@@ -21,7 +21,7 @@ class Backend {
   virtual void allocate(FieldSet fields, const Sizes& sizes) = 0;
   /// Grows the neighbour list to `entries`; what it held is lost.
   virtual void resize_list(uint64_t entries) = 0;
-  /// Constants and model of the stages run from now on.
+  /// Sets the constants and the needs of all stages that are run from now on.
   virtual void configure(const Params& params, const Needs& needs) = 0;
 
   virtual void run(Stage stage) = 0;

@@ -9,13 +9,13 @@
 
 namespace sluice {
 
-/// Beyond this alpha XSPH overshoots.
+/// Largest alpha with which XSPH smooths; beyond it, it overshoots.
 inline constexpr double largest_alpha = 2;
 
-/// The time step, or the smallest one where it adapts.
+/// Time step of the scene, or the smallest one where steps adapt.
 double least_dt(const Scene& scene);
 
-/// The key of a state equation's stiffness.
+/// Key of the scene that holds a state equation's stiffness.
 std::string stiffness_key(PressureMethod method);
 
 /// What tends to go wrong and is known before the first step: an explicit viscosity, a state equation, the

@@ -24,10 +24,12 @@ class Losses {
   void note(const StepReport& report, const Params& params, std::span<const uint32_t> id,
             std::span<const Vec2> x);
 
-  /// These particles are lost since before the run was resumed, which is all that is known of them.
+  /// Takes those of the particles at `x` that are lost as lost since before the run was resumed, which is all
+  /// that is known of them.
   void know(const Params& params, std::span<const Vec2> x);
 
-  /// In the order in which they left; one that came back and left again counts once.
+  /// Particles that were lost, in the order in which they left; one that came back and left again counts
+  /// once.
   const std::vector<Loss>& all() const { return all_; }
 
  private:

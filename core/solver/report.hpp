@@ -21,7 +21,7 @@ struct StepReport {
   Diagnostics diagnostics;
 };
 
-/// Why a run is invalid, where and when.
+/// Reason why a run is invalid, with the place and the moment.
 struct Failure {
   uint64_t step = 0;
   double time = 0;
@@ -31,11 +31,11 @@ struct Failure {
   bool collapsed = false;  ///< an adaptive step had to be shorter than it may be
 };
 
-/// The fluid in id order.
+/// State of the fluid, particles in the order of their ids.
 struct Snapshot {
   std::vector<Vec2> x, v;
   std::vector<double> density, pressure;  ///< computed during the step that led to this state
-  uint64_t step = 0;                      ///< that step; 0 at the start
+  uint64_t step = 0;                      ///< the step that led to this state; 0 at the start
 };
 
 }  // namespace sluice

@@ -9,21 +9,22 @@
 
 namespace sluice {
 
-/// How far a run is. Kept whole in checkpoints, so a change of it is a change of their format.
+/// Clock of a run. It is kept whole in checkpoints, so a change of it is a change of their format.
 struct RunClock {
   uint64_t steps = 0;
   uint64_t steps_before = 0;  ///< steps and time before the last change of dt
   double time_before = 0;
-  double dt = 0;       ///< of the last step
-  double next_dt = 0;  ///< of the next one where steps adapt, unless it is cut short; else 0
+  double dt = 0;       ///< length of the last step
+  double next_dt = 0;  ///< length of the next step where steps adapt, unless it is cut short; else 0
 
   double time() const { return time_before + static_cast<double>(steps - steps_before) * dt; }
 };
 
-/// The particles in id order, as the backend holds them: the bits, and not what they stand for.
+/// State of a run as the backend holds it, particles in the order of their ids: the bits, and not what they
+/// stand for.
 struct SimulationState {
   RunClock clock;
-  Diagnostics diagnostics;  ///< of the last step
+  Diagnostics diagnostics;  ///< what the last step reported
   std::vector<Vec2> x, v;
   std::vector<double> density, pressure;  ///< computed during the last step
 };

@@ -38,7 +38,7 @@ class Simulator {
   double dt() const { return params_.dt; }
   /// Whether the next step has to be shorter than the fluid would need for a run to end at `end`.
   bool is_cut_short(double end) const;
-  /// The time step from now on, above 0; where steps adapt, of the next one.
+  /// Sets the time step from now on, above 0; where steps adapt, that of the next step alone.
   void change_dt(double dt);
   const std::optional<Failure>& failure() const { return failure_; }
   const Plan& plan() const { return plan_; }
@@ -49,7 +49,7 @@ class Simulator {
   /// start.
   Snapshot snapshot() const;
 
-  /// What another simulator can go on from. Only while there is no failure().
+  /// State that another simulator can go on from. Only while there is no failure().
   SimulationState state() const;
 
  private:
@@ -86,10 +86,10 @@ class Simulator {
   uint32_t first_look_ = 1;  ///< sweeps before the solve is looked at: as many as the last one needed
   uint64_t steps_ = 0;
   std::optional<StepControl> control_;  ///< where the steps adapt
-  double next_dt_ = 0;                  ///< of the next step, unless it is cut short
+  double next_dt_ = 0;                  ///< length of the next step, unless it is cut short
   uint64_t steps_before_ = 0;           ///< steps and time before the last change of dt
   double time_before_ = 0;
-  Diagnostics diagnostics_;        ///< of the last step
+  Diagnostics diagnostics_;        ///< what the last step reported
   bool last_state_stands_ = true;  ///< what the last step led to can be shown
   Losses losses_;
   std::optional<Failure> failure_;

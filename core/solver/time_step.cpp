@@ -17,7 +17,7 @@ constexpr double growth = 1.1;
 /// A step is repeated with so much of what would just have held, at least halved or so at most quartered.
 constexpr double share_of_what_holds = 0.9, least_share = 0.25, largest_share = 0.7;
 
-/// Of the external forces, per mass.
+/// Potential of the external forces, per mass.
 double potential(const Scene& scene, Vec2 x) {
   const Vec2 from_centre = x - scene.centre;
   return 0.5 * scene.central_force * glm::dot(from_centre, from_centre) - glm::dot(scene.gravity, x);

@@ -7,27 +7,28 @@
 
 namespace sluice {
 
-/// How a time step compares with a duration of the scene that bounds it, whatever the fluid's speed.
+/// Bound on the time step: a duration of the scene, whatever the fluid's speed, and how many such durations a
+/// step may take.
 struct StepBound {
   double duration;  ///< infinite where the scene has no such bound
   double safe;      ///< adaptive steps are at most so many durations
   double largest;   ///< longer ones are warned of
 };
 
-/// The bounds of a scene.
+/// Bounds on the time steps of a scene.
 struct StepBounds {
   StepBound viscous;  ///< h^2/nu: an explicit viscosity overshoots
   StepBound sound;    ///< h/c, with c the speed of sound at rest density: a state equation overshoots
   StepBound depth;    ///< h/sqrt(g depth): the pressure of a step pushes deep fluid into the floor (IISPH)
 
-  /// The longest safe step.
+  /// Longest step that keeps within all bounds.
   double safe() const;
 };
-/// Of the speed of sound alone.
+/// Bound by the speed of sound alone.
 StepBound sound_bound(const Scene& scene);
 StepBounds step_bounds(const Scene& scene, const Samples& samples);
 
-/// Of the external forces on a particle at x; the stage `external` on the host.
+/// Acceleration by the external forces at x: the stage `external` on the host.
 Vec2 external_acceleration(const Scene& scene, Vec2 x);
 
 /// The speed of sound at rest density; infinite with IISPH.
@@ -49,7 +50,8 @@ class StepControl {
 
   /// Whether a step moved nothing by more than cfl h.
   bool holds(const Diagnostics& d) const { return d.finite() && d.cfl <= limits_.cfl; }
-  /// The length with which to repeat a step of length `dt` that did not hold; none below dt_min.
+  /// Length with which to repeat a step of length `dt` that did not hold; none when that would be below
+  /// dt_min.
   std::optional<double> shorter(double dt, const Diagnostics& d) const;
 
   const AdaptiveStep& limits() const { return limits_; }

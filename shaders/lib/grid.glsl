@@ -1,4 +1,4 @@
-// Cells of the grid; twin of cell_of in core/params.hpp.
+// Cells of the grid; twin of cell_of in core/model/params.hpp.
 
 uint cell_along(float at, uint padded) {
   float last = float(padded - 3u);

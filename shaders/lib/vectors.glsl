@@ -11,7 +11,7 @@ float length_of(vec2 a) {
   return root;
 }
 
-/// The larger of two values; keeps a NaN in either place; twin of core/larger.hpp. max() may hide NaN, and so may
+/// The larger of two values; keeps a NaN in either place; twin of core/model/larger.hpp. max() may hide NaN, and so may
 /// `a < b ? b : a`, of which Mesa makes a max().
 float larger(float a, float b) {
   return b > a || isnan(b) ? b : a;

@@ -36,7 +36,7 @@ TEST(HardCaseTable, NamesAreFileNamesAndOnlyOnce) {
 }
 
 TEST(HardCaseTable, EveryCaseIsOnThePageWithWhatIsExpected) {
-  const std::string page = read_file(SLUICE_SOURCE_DIR "/docs/hard_cases.md");
+  const std::string page = read_file(SLUICE_SOURCE_DIR "/docs/results/hard_cases.md");
   for (const HardCase& hard : hard_cases()) {
     for (const char* backend : {"cpu", "gpu"}) {
       const std::string row = fmt::format("\n| {} | {} | {} | ", hard.name, hard.method, backend);

@@ -9,7 +9,7 @@
 
 namespace sluice::app {
 
-/// A scene as its file has it, changed by the command line, and by keys.
+/// Choice of the user: a scene as its file has it, changed by the command line, and by keys.
 struct Choice {
   std::string scene;
   std::vector<std::string> overrides;
@@ -18,11 +18,11 @@ struct Choice {
   double dt_factor = 1;   ///< dt over that of the file, beyond what the spacing asks for
 };
 
-/// The scene of a choice. The time step follows the spacing, and with a finer one stays below the limit of an
-/// explicit viscosity; lattices given by `count` keep their size. InputError as of load_scene.
+/// Loads the scene of a choice. The time step follows the spacing, and with a finer one stays below the limit
+/// of an explicit viscosity; lattices given by `count` keep their size. InputError as of load_scene.
 Scene load_choice(const Choice& choice);
 
-/// The choice with another method and its own time step. InputError when `scene`, which was made of the
+/// Choice with another method and that method's own time step. InputError when `scene`, which was made of the
 /// choice, has no table for it.
 Choice with_method(Choice choice, PressureMethod method, const Scene& scene);
 

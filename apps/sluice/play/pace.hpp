@@ -8,21 +8,21 @@ namespace sluice::app {
 
 using Clock = std::chrono::steady_clock;
 
-/// Simulated seconds per second that can be asked for.
+/// Limits of the simulated seconds per second that can be asked for.
 constexpr double least_speed = 0.001, most_speed = 1000;
-/// `speed` times `factor`, within these limits; the sign stays.
+/// Product of `speed` and `factor`, kept within these limits; the sign stays.
 double changed_speed(double speed, double factor);
 
-/// How far a simulation should be.
+/// Pace of a simulation that is watched: how far it should be by now.
 class Pace {
  public:
   explicit Pace(double speed) : speed_(speed) {}
 
-  /// From this simulated time on, now.
+  /// Begins at this simulated time, now.
   void begin(double time, Clock::time_point now);
-  /// The simulated time that should be reached now.
+  /// Simulated time that should be reached now.
   double target(Clock::time_point now) const;
-  /// `time` was reached. Time that was not kept up with is given up.
+  /// Notes that `time` was reached. Time that was not kept up with is given up.
   void reached(double time, bool in_time, Clock::time_point now);
   /// Simulated seconds per second: the speed where it was kept, else what came of it in the last half second
   /// or so; 0 before it is known.
@@ -38,21 +38,21 @@ class Pace {
   Clock::time_point since_{}, measured_{};
 };
 
-/// Where a recording is being played.
+/// Place in a recording that is being played.
 class Playhead {
  public:
-  /// At frame 0 of 0 to `last`, of which `fps` are a simulated second.
+  /// Playhead at frame 0 of the frames 0 to `last`, of which `fps` are a simulated second.
   Playhead(size_t last, double fps, double speed)
       : last_(static_cast<double>(last)), fps_(fps), speed_(speed) {}
 
   size_t frame() const { return static_cast<size_t>(position_ + 1e-6); }
   void go_to(double frame);
-  /// One or more frames on, or back.
+  /// Moves one or more frames on, or back.
   void move(double frames) { go_to(static_cast<double>(frame()) + frames); }
   /// Plays on for so many seconds of the clock; true when that led to the end, or backwards to the start.
   bool advance(double seconds);
   bool at_end() const { return position_ == end(); }
-  /// To where playing begins: the start, or backwards the end.
+  /// Goes to where playing begins: the start, or backwards the end.
   void rewind() { go_to(last_ - end()); }
 
   double speed() const { return speed_; }  ///< below 0 backwards

@@ -43,7 +43,7 @@ void RecordingPlayer::scrub(double x) {
   head_.go_to(std::round(place * static_cast<double>(last())));
 }
 
-/// From where it is, or, when that is the end, from the start.
+/// Plays from where it is, or, when that is the end, from the start.
 void RecordingPlayer::go_on() {
   if (head_.at_end()) head_.rewind();
   paused_ = false;

@@ -12,7 +12,7 @@ class RecordingPlayer {
  public:
   RecordingPlayer(media::Recording recording, double speed, Viewer& viewer);
 
-  /// Until the window is closed.
+  /// Plays until the window is closed.
   void run();
 
  private:

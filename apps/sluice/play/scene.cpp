@@ -75,7 +75,7 @@ ScenePlayer::ScenePlayer(const PlayOptions& options, const std::string& scene, V
 
 ScenePlayer::~ScenePlayer() = default;
 
-/// From the start, on the backend, which forgets what it had.
+/// Begins from the start, on the backend, which forgets what it had.
 void ScenePlayer::set_up(Show& show) {
   show.simulator.emplace(show.scene, show.samples, machine_.backend());
   if (!show.painter) show.painter.emplace(viewer_.context(), show.scene, show.samples, show.scene.image_size);
@@ -106,7 +106,7 @@ std::string ScenePlayer::change(Choice choice) {
   return {};
 }
 
-/// The same, and says what came of it.
+/// Changes the choice as change() does, and says what came of it.
 bool ScenePlayer::change_and_say(Choice choice, const std::string& what) {
   if (const std::string problem = change(std::move(choice)); !problem.empty()) {
     viewer_.say(problem);
@@ -247,7 +247,7 @@ bool ScenePlayer::step() {
   return true;
 }
 
-/// As many steps as the clock asks for, as far as they are computed before the next picture is due.
+/// Makes as many steps as the clock asks for, as far as they are computed before the next picture is due.
 void ScenePlayer::advance() {
   for (; single_steps_ > 0; --single_steps_) step();
   if (paused_) return;

@@ -17,13 +17,13 @@ namespace sluice::app {
 
 class ScenePlayer {
  public:
-  /// InputError when the scene can't be run at all.
+  /// Loads the scene. InputError when it can't be run at all.
   ScenePlayer(const PlayOptions& options, const std::string& scene, Viewer& viewer);
   ~ScenePlayer();
   ScenePlayer(const ScenePlayer&) = delete;
   ScenePlayer& operator=(const ScenePlayer&) = delete;
 
-  /// Until the window is closed.
+  /// Plays until the window is closed.
   void run();
 
  private:
@@ -52,8 +52,8 @@ class ScenePlayer {
   Pace pace_;
   std::unique_ptr<Show> show_;
   bool paused_ = false;
-  bool stop_awaited_ = true, paused_by_stop_ = false;  ///< of --steps or --time
-  int single_steps_ = 0;                               ///< asked for and not yet made
+  bool stop_awaited_ = true, paused_by_stop_ = false;  ///< the stop is that of --steps or --time
+  int single_steps_ = 0;                               ///< steps asked for and not yet made
 };
 
 }  // namespace sluice::app

@@ -25,7 +25,7 @@ class Viewer {
   OverlayChoice overlay() const { return overlay_; }
   bool over() const { return over_ || window_.closed(); }
 
-  /// What is shown from now on, in a window of this size; `help` says what its own keys do.
+  /// Sets what is shown from now on, in a window of this size; `help` says what its own keys do.
   void begin(glm::uvec2 size, Colour colour, std::vector<std::string> help);
   void set_title(const std::string& title);
 
@@ -37,7 +37,7 @@ class Viewer {
   /// Whether there is time to compute before the next picture.
   bool time_left() const { return Clock::now() < deadline_; }
 
-  /// A line for the user, in the picture until the next key and on standard error.
+  /// Tells the user a line, in the picture until the next key and on standard error.
   void say(const std::string& message);
 
   /// Shows the picture that `paint` makes of `labels`, which have the text; as a screenshot it is called
@@ -45,7 +45,7 @@ class Viewer {
   void show(draw::Painter& painter, draw::Frame labels, const std::string& name,
             const std::function<void(draw::Frame)>& paint);
 
-  /// For pictures made of several, which are placed by Renderer::show: the window's size, and its showing.
+  /// Size of the window, and its showing, for pictures made of several, which are placed by Renderer::show.
   glm::uvec2 size() const { return window_.size(); }
   void present();
 
