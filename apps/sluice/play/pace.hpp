@@ -10,6 +10,7 @@ using Clock = std::chrono::steady_clock;
 
 /// Limits of the simulated seconds per second that can be asked for.
 constexpr double least_speed = 0.001, most_speed = 1000;
+constexpr double speed_per_key = 2;  ///< factor by which a key changes it
 /// Product of `speed` and `factor`, kept within these limits; the sign stays.
 double changed_speed(double speed, double factor);
 

@@ -11,9 +11,8 @@
 namespace sluice::app {
 namespace {
 
-constexpr double speed_per_key = 2;
 
-const std::vector<std::string> help = {
+const std::vector<std::string> help_of_recordings = {
     "space  pause, go on",     "right left  one frame on, back", "b  backwards, forwards",
     "up down  faster, slower", "home end  first, last frame",    "r  from the start",
     "drag the bar  go there",
@@ -27,7 +26,7 @@ RecordingPlayer::RecordingPlayer(media::Recording recording, double speed, Viewe
       painter_(viewer.context(), recording_.scene(), recording_.samples(), recording_.scene().image_size),
       head_(last(), recording_.scene().fps, speed),
       moment_(recording_.moment(0)) {
-  viewer_.begin(recording_.scene().image_size, recording_.scene().colour, help);
+  viewer_.begin(recording_.scene().image_size, recording_.scene().colour, help_of_recordings);
 }
 
 void RecordingPlayer::change_speed(double factor) {

@@ -18,9 +18,8 @@ namespace sluice::app {
 namespace {
 
 constexpr double dt_per_key = 1.25, most_dt_factor = 1000;
-constexpr double speed_per_key = 2;
 
-const std::vector<std::string> help = {
+const std::vector<std::string> help_of_scenes = {
     "space  pause, go on",
     "right  one step",
     "r  restart",
@@ -69,7 +68,7 @@ ScenePlayer::ScenePlayer(const PlayOptions& options, const std::string& scene, V
       show_(std::make_unique<Show>(choice_, options.machine)) {
   fmt::print(stderr, "backend: {}\n", machine_.choice());
   set_up(*show_);
-  viewer_.begin(show_->scene.image_size, show_->scene.colour, help);
+  viewer_.begin(show_->scene.image_size, show_->scene.colour, help_of_scenes);
   for (const std::string& limit : beyond_limits(show_->scene, show_->samples)) viewer_.say(limit);
 }
 
@@ -153,7 +152,7 @@ void ScenePlayer::go_to_scene(int steps) {
   const std::ptrdiff_t at = here == names.end() ? (steps > 0 ? -1 : 0) : here - names.begin();
   const std::string& name = names[static_cast<size_t>((at + steps + count) % count)];
   if (change_and_say({name, {}, std::nullopt}, name))
-    viewer_.begin(show_->scene.image_size, show_->scene.colour, help);
+    viewer_.begin(show_->scene.image_size, show_->scene.colour, help_of_scenes);
 }
 
 void ScenePlayer::change_dt(double factor) {
