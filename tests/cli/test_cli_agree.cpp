@@ -1,6 +1,8 @@
 // `sluice agree`: its table, its JSON, its exit codes, and that a shader which is a little wrong is found.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdio>
 #include <fstream>
 #include <set>
 
@@ -128,6 +130,42 @@ TEST(CliAgree, SaysThatARunBecameInvalid) {
   EXPECT_FALSE(has(alone.out, "the CPU's became invalid")) << alone.out;
   EXPECT_TRUE(has(alone.out, "the GPU's became invalid in step 1")) << alone.out;
   EXPECT_TRUE(has(alone.out, "THEY DISAGREE: density and the run")) << alone.out;
+}
+
+TEST(CliAgree, OneStageAloneIsComparedAndDumped) {
+  const TemporaryFolder shaders;
+  write_changed_shader(shaders, "density.comp", "sum = params.m * sum", "sum = 1.001 * params.m * sum");
+  const Words words{"agree", "breaking_dam", "--steps", "2", "--stage"};
+  const auto with = [&](Words more) {
+    more.insert(more.begin(), words.begin(), words.end());
+    return run_program(more);
+  };
+  const ProgramResult right = with({"density"});
+  EXPECT_EQ(right.code, 0) << right.err;
+  EXPECT_TRUE(has(right.out, "density ") && has(right.out, "they agree")) << right.out;
+  EXPECT_FALSE(has(right.out, "integrate")) << "no other stage\n" << right.out;
+  const ProgramResult wrong = with({"density", "--shader-dir", shaders.path.string(), "--dump", "rho,list"});
+  EXPECT_EQ(wrong.code, 1);
+  EXPECT_TRUE(has(wrong.err, "THEY DISAGREE")) << wrong.err;
+  EXPECT_TRUE(wrong.out.starts_with("field,place,cpu,gpu\nrho,0,1.0")) << wrong.out.substr(0, 80);
+  EXPECT_EQ(std::ranges::count(wrong.out, '\n'), 1 + 2 * 660) << "a row per particle and field";
+  double cpu = 0, gpu = 0;
+  ASSERT_EQ(std::sscanf(wrong.out.c_str(), "field,place,cpu,gpu\nrho,0,%lf,%lf", &cpu, &gpu), 2);
+  EXPECT_NEAR(gpu / cpu, 1.001, 1e-6);
+  EXPECT_EQ(with({"densty"}).code, 2);
+  EXPECT_TRUE(has(with({"density", "--dump", "A_ii"}).err, "expected fields that density reads or writes"));
+  EXPECT_EQ(run_program({"agree", "breaking_dam", "--dump", "rho"}).code, 2) << "of which stage?";
+}
+
+TEST(CliInfo, ShowsAShaderAsItIsCompiled) {
+  const ProgramResult result = run_program({"info", "breaking_dam", "--shader", "diagonal"});
+  EXPECT_EQ(result.code, 0) << result.err;
+  EXPECT_TRUE(has(result.out, "const bool needs_thesis_wall = true;")) << result.out;
+  EXPECT_TRUE(has(result.out, "// diagonal.comp:1")) << result.out;
+  EXPECT_FALSE(has(result.out, "#include")) << result.out;
+  EXPECT_TRUE(
+      has(run_program({"info", "breaking_dam", "--shader", "stop_test"}).out, "// ---- stop_test, pass 1"));
+  EXPECT_EQ(run_program({"info", "breaking_dam", "--shader", "tait"}).code, 2) << "not of this scene's plan";
 }
 
 TEST(CliAgree, RefusesWhatItCannotDo) {

@@ -42,6 +42,7 @@ TEST(CliSummary, HasItsKeysInOrder) {
   for (const auto& [key, value] : summary.items()) keys.push_back(key);
   EXPECT_EQ(keys, (Words{"format",
                          "version",
+                         "commit",
                          "scene",
                          "title",
                          "backend",
@@ -66,6 +67,7 @@ TEST(CliSummary, HasItsKeysInOrder) {
                          "settings"}));
   EXPECT_EQ(summary["format"], 1);
   EXPECT_EQ(summary["version"], version());
+  EXPECT_EQ(summary["commit"].is_null() ? "" : summary["commit"], commit());
   EXPECT_EQ(summary["scene"], "breaking_dam");
   EXPECT_EQ(summary["title"], "Breaking dam");
   EXPECT_EQ(summary["backend"], "cpu");

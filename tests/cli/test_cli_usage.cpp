@@ -28,7 +28,8 @@ TEST(CliUsage, HelpAndVersionAreAnswers) {
   }
   const ProgramResult result = run_program({"--version"});
   EXPECT_EQ(result.code, 0);
-  EXPECT_EQ(result.out, "sluice " + version() + "\n");
+  const std::string of_commit = commit().empty() ? "" : " (commit " + commit() + ")";
+  EXPECT_EQ(result.out, "sluice " + version() + of_commit + "\n");
   EXPECT_EQ(result.err, "");
 }
 

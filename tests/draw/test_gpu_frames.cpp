@@ -178,6 +178,7 @@ TEST_F(GpuFrames, OfTheProgramAreThoseOfTheCpuBackend) {
 // With a shader of the user's that moves all particles out of sight, the program has none to draw.
 TEST_F(GpuFrames, OfTheProgramComeFromTheBuffers) {
   const TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "draw");
   std::ofstream(folder / "draw/draw_order.comp") << R"(#version 430 core
 layout(local_size_x = 64) in;
 layout(std430) buffer position_block { vec2 position[]; };

@@ -57,6 +57,7 @@ TEST(GpuStorage, BeyondTheStatedLimitStagesReachTheWholeBuffer) {
 /// A folder whose shader for the trial is this.
 struct Trial {
   explicit Trial(const std::string& body) {
+    std::filesystem::create_directory(folder / "lib");
     write_file(
         folder / "lib/probe_storage.comp",
         "#version 430 core\nlayout(local_size_x = 1) in;\n"
