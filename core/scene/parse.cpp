@@ -70,10 +70,11 @@ SceneValue parse_toml(std::string_view text, const std::string& file) {
   Locate locate = [name = one_line(file)](const toml::source_position& at) {
     return fmt::format("{}:{}:{}", name, std::max(at.line, 1u), std::max(at.column, 1u));
   };
-  if (auto problem = scan_toml(text))
-    throw InputError(fmt::format("{}: {}", locate({problem->line, problem->column}), problem->message));
+  const ScannedToml scanned = scan_toml(text);
+  if (!scanned.problem.empty())
+    throw InputError(fmt::format("{}: {}", locate({scanned.line, scanned.column}), scanned.problem));
   try {
-    SceneValue root = convert(toml::parse(shield(text)), {locate, 0});
+    SceneValue root = convert(toml::parse(scanned.shielded), {locate, 0});
     root.where = locate({1, 1});
     return root;
   } catch (const toml::parse_error& error) {
@@ -85,15 +86,15 @@ SceneValue parse_toml(std::string_view text, const std::string& file) {
 SceneValue parse_override_value(std::string_view text, const std::string& key, uint32_t number) {
   std::string where = "--set " + key;
   Locate locate = [&](const toml::source_position&) { return where; };
-  std::string line = fmt::format("value = {}", text);
-  if (!scan_toml(line)) {
+  const ScannedToml scanned = scan_toml(fmt::format("value = {}", text));
+  if (scanned.problem.empty()) {
     try {
-      SceneValue root = convert(toml::parse(shield(line)), {locate, number});
+      SceneValue root = convert(toml::parse(scanned.shielded), {locate, number});
       if (root.members.size() == 1) return std::move(root.members.front().value);
     } catch (const toml::parse_error&) {  // a bare string, then
     }
   }
-  if (!is_utf8(text))
+  if (!scanned.utf8)
     throw InputError(one_line(where + ": found text that is not UTF-8, expected KEY=VALUE in UTF-8"));
   SceneValue value;
   value.kind = SceneValue::Kind::text;
