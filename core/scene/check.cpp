@@ -40,107 +40,65 @@ bool in_range(double number, const KeyRange& range) {
   return low && high;
 }
 
-bool is_choice(const SceneValue& value, std::span<const ChoiceInfo> choices) {
-  return value.kind == Kind::text &&
-         std::ranges::find(choices, value.text, &ChoiceInfo::name) != choices.end();
-}
-
 /// The range of a length is checked when the spacing is known.
 bool is_length(const SceneValue& value) {
   return value.is_number() ? std::isfinite(value.number)
                            : value.kind == Kind::text && parse_length(value.text).has_value();
 }
 
-[[noreturn]] void refuse(const SceneValue& value, const std::string& path, std::string expected) {
-  if (value.is_number() && !std::isfinite(value.number) && expected.starts_with("a "))
-    expected.insert(2, "finite ");
-  throw refusal(value.where, path, describe(value), expected);
-}
-
-void check_array(const SceneValue& value, const std::string& path, size_t least, size_t most,
-                 const SceneKey& key) {
-  if (value.kind != Kind::array || value.items.size() < least || value.items.size() > most)
-    refuse(value, path, expectation(key));
-}
-
-/// Checks every element of an array value with `good`; the place and path of a bad one name the element.
-void check_items(const SceneValue& value, const std::string& path, const std::string& expected,
-                 const auto& good) {
-  for (size_t i = 0; i < value.items.size(); ++i)
-    if (!good(value.items[i])) refuse(value.items[i], fmt::format("{}.{}", path, i), expected);
-}
-
-void check_choices(const SceneValue& value, const std::string& path, const SceneKey& key) {
-  check_array(value, path, 1, key.choices.size(), key);
-  check_items(value, path, element_expectation(key),
-              [&](const SceneValue& item) { return is_choice(item, key.choices); });
-  for (size_t i = 0; i < value.items.size(); ++i)
-    for (size_t before = 0; before < i; ++before)
-      if (value.items[before].text == value.items[i].text)
-        throw refusal(value.items[i].where, fmt::format("{}.{}", path, i),
-                      describe(value.items[i]) + " a second time", "each name at most once");
-}
-
-/// Rows of a matrix or points of a polygon: pairs of numbers or of lengths.
-void check_pairs(const SceneValue& value, const std::string& path, const SceneKey& key, const auto& good,
-                 const std::string& expected) {
-  for (size_t i = 0; i < value.items.size(); ++i) {
-    const SceneValue& pair = value.items[i];
-    std::string pair_path = fmt::format("{}.{}", path, i);
-    if (pair.kind != Kind::array || pair.items.size() != 2) refuse(pair, pair_path, element_expectation(key));
-    check_items(pair, pair_path, expected, good);
+/// Whether the value is good as far as its elements do not matter.
+bool fits(const SceneValue& value, const SceneKey& key, KeyType type) {
+  const size_t size = value.items.size();
+  switch (type) {
+    case KeyType::text: return value.kind == Kind::text;
+    case KeyType::number: return value.is_number() && in_range(value.number, key.range);
+    case KeyType::integer: return value.kind == Kind::integer && in_range(value.number, key.range);
+    case KeyType::length: return is_length(value);
+    case KeyType::choice:
+      return value.kind == Kind::text && std::ranges::count(key.choices, value.text, &ChoiceInfo::name) > 0;
+    case KeyType::choices:
+      if (size > key.choices.size()) return false;
+      [[fallthrough]];
+    default:
+      return value.kind == Kind::array && size >= type_info(type).least && size <= type_info(type).most;
   }
 }
 
-void check_value(const SceneValue& value, const std::string& path, const SceneKey& key) {
-  constexpr size_t many = 100'000;
-  auto number = [&](const SceneValue& v) { return v.is_number() && in_range(v.number, key.range); };
-  auto integer = [&](const SceneValue& v) {
-    return v.kind == Kind::integer && in_range(v.number, key.range);
-  };
-  auto only_if = [&](bool good) {
-    if (!good) refuse(value, path, expectation(key));
-  };
-  switch (key.type) {
-    case KeyType::text: return only_if(value.kind == Kind::text);
-    case KeyType::number: return only_if(number(value));
-    case KeyType::integer: return only_if(integer(value));
-    case KeyType::length: return only_if(is_length(value));
-    case KeyType::choice: return only_if(is_choice(value, key.choices));
-    case KeyType::choices: return check_choices(value, path, key);
-    case KeyType::numbers:
-      check_array(value, path, 2, 2, key);
-      return check_items(value, path, element_expectation(key), number);
-    case KeyType::integers:
-      check_array(value, path, 2, 2, key);
-      return check_items(value, path, element_expectation(key), integer);
-    case KeyType::lengths:
-      check_array(value, path, 2, 2, key);
-      return check_items(value, path, element_expectation(key), is_length);
-    case KeyType::matrix:
-      check_array(value, path, 2, 2, key);
-      return check_pairs(value, path, key, number, "a number");
-    case KeyType::points:
-      check_array(value, path, 3, many, key);
-      return check_pairs(value, path, key, is_length, length_expectation());
+/// The place and path of a bad element name the element.
+void check_value(const SceneValue& value, const std::string& path, const SceneKey& key, KeyType type) {
+  if (!fits(value, key, type)) {
+    std::string expected = expectation(key, type);
+    if (value.is_number() && !std::isfinite(value.number) && expected.starts_with("a "))
+      expected.insert(2, "finite ");
+    throw refusal(value.where, path, describe(value), expected);
   }
+  if (!type_info(type).is_array()) return;
+  for (size_t i = 0; i < value.items.size(); ++i)
+    check_value(value.items[i], fmt::format("{}.{}", path, i), key, type_info(type).element);
+  if (type != KeyType::choices) return;
+  for (auto item = value.items.begin(); item != value.items.end(); ++item)
+    if (std::ranges::count(value.items.begin(), item, item->text, &SceneValue::text) > 0)
+      throw refusal(item->where, fmt::format("{}.{}", path, item - value.items.begin()),
+                    describe(*item) + " a second time", "each name at most once");
 }
 
 // ---- tables
 
 void check_table(SceneValue& table, std::string_view section, const std::string& path);
 
+void expect(const SceneValue& value, Kind kind, const std::string& path, const std::string& expected) {
+  if (value.kind != kind) throw refusal(value.where, path, describe(value), expected);
+}
+
 void check_section(SceneValue& value, const SceneSection& section, const std::string& path) {
   if (!section.is_array()) {
-    if (value.kind != Kind::table) refuse(value, path, fmt::format("a table [{}]", path));
+    expect(value, Kind::table, path, fmt::format("a table [{}]", path));
     return check_table(value, section.path, path);
   }
-  std::string expected = fmt::format("an array of tables, [[{}]]", path);
-  if (value.kind != Kind::array) refuse(value, path, expected);
+  expect(value, Kind::array, path, fmt::format("an array of tables, [[{}]]", path));
   for (size_t i = 0; i < value.items.size(); ++i) {
     std::string item_path = fmt::format("{}.{}", path, i);
-    if (value.items[i].kind != Kind::table)
-      refuse(value.items[i], item_path, fmt::format("a table [[{}]]", path));
+    expect(value.items[i], Kind::table, item_path, fmt::format("a table [[{}]]", path));
     check_table(value.items[i], section.path, item_path);
   }
 }
@@ -170,7 +128,7 @@ void check_table(SceneValue& table, std::string_view section, const std::string&
   for (SceneValue::Member& member : table.members) {
     std::string member_path = join_path(path, member.name);
     if (const SceneKey* key = find_key(section, member.name)) {
-      check_value(member.value, member_path, *key);
+      check_value(member.value, member_path, *key, key->type);
     } else if (const SceneSection* inner = find_section(section, member.name)) {
       check_section(member.value, *inner, member_path);
     } else {

@@ -11,20 +11,31 @@
 
 namespace sluice {
 
-/// What a key's value looks like in TOML. A length is a number or a string such as "240+3h".
+/// What a key's value looks like in TOML; rows of `type_info`.
 enum class KeyType {
-  text,      ///< string
-  number,    ///< integer or float
-  integer,   ///< integer
-  length,    ///< length
-  numbers,   ///< [x, y], two numbers
-  lengths,   ///< [x, y], two lengths
-  integers,  ///< [x, y], two integers
+  text,
+  number,  ///< integer or float
+  integer,
+  length,    ///< number or a string such as "240+3h"
+  numbers,   ///< [x, y]
+  lengths,   ///< [x, y]
+  integers,  ///< [x, y]
   matrix,    ///< [[a, b], [c, d]], rows of numbers
-  points,    ///< [[x, y], [x, y], [x, y], ...], three or more pairs of lengths
+  points,    ///< [[x, y], [x, y], [x, y], ...]
   choice,    ///< one of the names in `choices`
-  choices    ///< array of one or more of the names in `choices`, each at most once
+  choices    ///< array of names in `choices`, each at most once
 };
+
+struct KeyTypeInfo {
+  std::string_view name;         ///< in the reference
+  std::string_view expectation;  ///< to follow "expected"; {0} is the range, {1} and {2} the choices: or, and
+  KeyType element = {};          ///< of an array
+  size_t least = 0, most = 0;    ///< elements; 0 at most: no array
+
+  bool is_array() const { return most > 0; }
+};
+
+const KeyTypeInfo& type_info(KeyType type);
 
 /// Bounds of a number, or of every number in an array. Infinite bounds are none.
 struct KeyRange {
@@ -77,14 +88,10 @@ std::span<const SceneKey> scene_keys();
 /// All tables; a table comes before the tables inside it.
 std::span<const SceneSection> scene_sections();
 
-/// What a value of this key has to be, to follow "expected": "a number greater than 0".
-std::string expectation(const SceneKey& key);
-
-/// The same for one element of an array-valued key; for any other key as `expectation`.
-std::string element_expectation(const SceneKey& key);
-
-/// What any length has to be, forms included.
-std::string length_expectation();
+/// What a value of this key has to be, to follow "expected": "a number greater than 0". `type` may be that of
+/// the key's elements instead.
+std::string expectation(const SceneKey& key, KeyType type);
+inline std::string expectation(const SceneKey& key) { return expectation(key, key.type); }
 
 /// Names as a list in a sentence: "a", "b" or "c", quoted.
 std::string join_choices(std::span<const ChoiceInfo> choices, std::string_view last_word = "or");
