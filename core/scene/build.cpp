@@ -1,14 +1,12 @@
 // The tree's values into the Scene's fields, and the checks across keys.
-#include "core/scene/build.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "core/scene/check.hpp"
 #include "core/scene/keys.hpp"
+#include "core/scene/passes.hpp"
 #include "core/scene/read_shapes.hpp"
 #include "core/scene/settings.hpp"
 
@@ -175,39 +173,48 @@ void read_output(const SceneValue& table, Scene& scene) {
 
 // ---- settings
 
-nlohmann::ordered_json to_json(const SceneValue& value, KeyType type) {
-  if (value.kind == SceneValue::Kind::array) {
-    auto array = nlohmann::ordered_json::array();
-    for (const SceneValue& item : value.items) array.push_back(to_json(item, type));
-    return array;
-  }
+nlohmann::ordered_json value_json(const SceneValue& value, bool integer) {
   if (value.kind == SceneValue::Kind::text) return value.text;
-  bool integer = type == KeyType::integer || type == KeyType::integers;
-  return integer ? nlohmann::ordered_json(value.integer) : nlohmann::ordered_json(value.number);
+  if (value.is_number() && integer) return value.integer;
+  if (value.is_number()) return value.number;
+  auto array = nlohmann::ordered_json::array();
+  for (const SceneValue& item : value.items) array.push_back(value_json(item, integer));
+  return array;
 }
 
-nlohmann::ordered_json to_json(const SceneValue& table, std::string_view section) {
+nlohmann::ordered_json table_json(const SceneValue& table, std::string_view section) {
   auto json = nlohmann::ordered_json::object();
   for (const SceneKey& key : scene_keys()) {
     if (section.empty() || key.section() != section) continue;
     if (const SceneValue* value = table.find(key.name()))
-      json[std::string(key.name())] = to_json(*value, key.type);
-    if (key.path == "time.dt" || key.path == "output.size")
-      json.emplace(key.name(), nullptr);  // keeps the order
+      json[key.name()] = value_json(*value, key.type == KeyType::integer || key.type == KeyType::integers);
+    else if (key.path == "time.dt" || key.path == "output.size")
+      json[key.name()] = nullptr;  // keeps the order
   }
   for (const SceneSection& inner : scene_sections()) {
-    if (inner.parent() != section) continue;
-    const SceneValue* value = table.find(inner.name());
+    const SceneValue* value = inner.parent() == section ? table.find(inner.name()) : nullptr;
     if (!value) continue;
-    auto& place = json[std::string(inner.name())];
-    if (inner.is_array()) {
+    auto& place = json[inner.name()];
+    if (!inner.is_array())
+      place = table_json(*value, inner.path);
+    else
       place = nlohmann::ordered_json::array();
-      for (const SceneValue& item : value->items) place.push_back(to_json(item, inner.path));
-    } else {
-      place = to_json(*value, inner.path);
-    }
+    for (const SceneValue& item : value->items) place.push_back(table_json(item, inner.path));
   }
   return json;
+}
+
+/// The scene as run, as JSON: every key of the tree in the order of the key table, defaults included; numbers
+/// as numbers, length strings as written. `scene` gives what no key says by itself: the time step and the
+/// picture's size.
+std::string settings_text(const SceneValue& root, const Scene& scene) {
+  nlohmann::ordered_json settings = table_json(root, "");
+  if (scene.adaptive)
+    settings["time"].erase("dt");
+  else
+    settings["time"]["dt"] = scene.dt;
+  settings["output"]["size"] = {scene.image_size.x, scene.image_size.y};
+  return settings.dump();
 }
 
 }  // namespace
@@ -234,16 +241,6 @@ Scene build_scene(const SceneValue& root, const std::string& name, const std::st
 
 nlohmann::ordered_json settings_of(const Scene& scene) {
   return nlohmann::ordered_json::parse(scene.record.settings);
-}
-
-std::string settings_text(const SceneValue& root, const Scene& scene) {
-  nlohmann::ordered_json settings = to_json(root, "");
-  if (scene.adaptive)
-    settings["time"].erase("dt");
-  else
-    settings["time"]["dt"] = scene.dt;
-  settings["output"]["size"] = {scene.image_size.x, scene.image_size.y};
-  return settings.dump();
 }
 
 }  // namespace sluice

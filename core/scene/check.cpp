@@ -1,5 +1,4 @@
 // Validation of single values, driven by the key table.
-#include "core/scene/check.hpp"
 
 #include <fmt/format.h>
 
@@ -9,6 +8,7 @@
 
 #include "core/scene/keys.hpp"
 #include "core/scene/length.hpp"
+#include "core/scene/passes.hpp"
 
 namespace sluice {
 namespace {

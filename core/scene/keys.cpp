@@ -13,17 +13,7 @@ constexpr KeyRange not_negative{.low = 0};
 constexpr KeyRange at_least(double low) { return {.low = low}; }
 constexpr KeyRange from_to(double low, double high) { return {.low = low, .high = high}; }
 
-constexpr auto text = KeyType::text;
-constexpr auto number = KeyType::number;
-constexpr auto integer = KeyType::integer;
-constexpr auto length = KeyType::length;
-constexpr auto numbers = KeyType::numbers;
-constexpr auto lengths = KeyType::lengths;
-constexpr auto integers = KeyType::integers;
-constexpr auto matrix = KeyType::matrix;
-constexpr auto points = KeyType::points;
-constexpr auto choice = KeyType::choice;
-constexpr auto choices = KeyType::choices;
+using enum KeyType;
 
 constexpr std::array sections{
     SceneSection{"scene", Presence::required, "What the scene is called and where it comes from."},

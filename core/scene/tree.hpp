@@ -1,5 +1,5 @@
 // A TOML document as a plain tree in which every value knows where it came from: a place in the file or a
-// --set override. All of check.cpp, overrides.cpp and build.cpp work on it; only parse.cpp knows the parser.
+// --set override. The passes (passes.hpp) work on it; only parse.cpp knows the parser.
 #pragma once
 
 #include <compare>
