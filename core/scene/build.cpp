@@ -35,21 +35,10 @@ void read_particles(const SceneValue& table, Scene& scene) {
                   "a mass rest_density h² within the range of numbers");
 }
 
-void read_domain(const SceneValue& table, const ShapeReader& reader, const SceneValue& spacing,
-                 Scene& scene) {
-  scene.domain_min = reader.point(table.at("min"), "domain.min");
-  scene.domain_max = reader.point(table.at("max"), "domain.max");
-  Vec2 size = scene.domain_max - scene.domain_min;
-  if (!(size.x > 0 && size.y > 0 && std::isfinite(size.x) && std::isfinite(size.y)))
-    throw refusal(blame({&table.at("max"), &table.at("min"), &spacing}), "domain.max",
-                  describe(scene.domain_max),
-                  fmt::format("more than min {} both ways, by a finite length", describe(scene.domain_min)));
-}
-
 void read_fluid(const SceneValue& table, ShapeReader& reader, Scene& scene) {
   scene.gravity = numbers(table.at("gravity"));
   scene.central_force = table.at("central_force").number;
-  scene.centre = reader.point(table.at("centre"), "fluid.centre");
+  scene.centre = reader.point({&table, "fluid"}, "centre");
   scene.jitter = table.at("jitter").number;
   scene.seed = static_cast<uint64_t>(table.at("seed").integer);
   scene.relax = count(table.at("relax"));
@@ -228,7 +217,7 @@ Scene build_scene(const SceneValue& root, const std::string& name, const std::st
   read_particles(root.at("particles"), scene);
   const SceneValue& spacing = root.at("particles").at("spacing");
   ShapeReader reader(spacing);
-  read_domain(root.at("domain"), reader, spacing, scene);
+  std::tie(scene.domain_min, scene.domain_max) = reader.box({&root.at("domain"), "domain"}, true);
   read_fluid(root.at("fluid"), reader, scene);
   if (const SceneValue* boundary = root.find("boundary")) read_boundary(*boundary, reader, scene);
   if (const SceneValue* viscosity = root.find("viscosity")) read_viscosity(*viscosity, scene);

@@ -9,37 +9,47 @@
 
 namespace sluice {
 
-/// Reads shapes, counts their samples, and keeps the sum over all shapes read within what can be numbered.
+/// A table of the tree.
+struct ScenePlace {
+  const SceneValue* table;
+  std::string path;       ///< in this scene: "fluid.rect.0"
+  std::string kind = "";  ///< of a shape: "rect"
+
+  const SceneValue& operator[](std::string_view name) const { return table->at(name); }
+  /// The error for a key of this table, at the place to `blame` among the values that take part.
+  InputError refusal(std::string_view name, std::initializer_list<const SceneValue*> parts,
+                     const std::string& found, const std::string& expected) const;
+};
+
+/// Reads lengths and shapes, and keeps the samples of all shapes read within what can be numbered. All throw
+/// InputError.
 class ShapeReader {
  public:
   /// `spacing` is the value of particles.spacing; it must outlive the reader.
   explicit ShapeReader(const SceneValue& spacing) : spacing_(spacing), h_(spacing.number) {}
 
-  /// All shapes of a [fluid] table in the order of the file. Throws InputError.
+  /// All shapes of a [fluid] or a [boundary] table in the order of the file.
   std::vector<FluidShape> fluid(const SceneValue& table);
-
-  /// All shapes of a [boundary] table in the order of the file. Throws InputError.
   std::vector<BoundaryShape> boundary(const SceneValue& table);
 
-  /// The point [x, y] of a key. Throws InputError when it isn't finite.
-  Vec2 point(const SceneValue& value, const std::string& path) const;
+  /// The point [x, y] of a key.
+  Vec2 point(const ScenePlace& place, std::string_view name) const;
+
+  /// The points `min` and `max`, which has to be beyond it both ways, and when asked not infinitely far.
+  std::pair<Vec2, Vec2> box(const ScenePlace& place, bool finite = false) const;
 
  private:
-  struct Place {
-    const SceneValue* table;
-    std::string kind;  ///< "rect"
-    std::string path;  ///< "fluid.rect.0"
-  };
-  static std::vector<Place> places(const SceneValue& table, const std::string& path);
+  template <class Shape>
+  std::vector<Shape> shapes(const SceneValue& table, const std::string& path);
 
   double length(const SceneValue& value, const std::string& path) const;
-  Rect rect(const Place& place);
-  Disc disc(const Place& place);
-  Polygon polygon(const Place& place);
-  Polygon fluid_polygon(const Place& place);  ///< one with a centre of area
-  Container container(const Place& place);
-  Segment segment(const Place& place);
-  void add_samples(const Place& place, double count);
+  Vec2 point(const SceneValue& value, const std::string& path) const;
+  Rect rect(const ScenePlace& place);
+  Disc disc(const ScenePlace& place);
+  Polygon polygon(const ScenePlace& place, bool needs_centre);
+  Container container(const ScenePlace& place);
+  Segment segment(const ScenePlace& place);
+  void add_samples(const ScenePlace& place, double count);
 
   const SceneValue& spacing_;
   double h_;
@@ -52,8 +62,5 @@ const std::string& blame(std::initializer_list<const SceneValue*> values);
 
 /// The value of a checked [x, y] of numbers.
 Vec2 numbers(const SceneValue& pair);
-
-/// "(x, y)" for messages.
-std::string describe(Vec2 point);
 
 }  // namespace sluice
