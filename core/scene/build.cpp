@@ -30,7 +30,7 @@ void read_particles(const SceneValue& table, Scene& scene) {
   scene.rest_density = table.at("rest_density").number;
   scene.spacing_where = spacing.where;
   if (!std::isnormal(scene.mass()))
-    throw refusal(blame({&spacing, &table.at("rest_density")}), "particles.spacing",
+    throw refusal({&spacing, &table.at("rest_density")},
                   fmt::format("{}, which makes the mass of a particle {}", describe(spacing), scene.mass()),
                   "a mass rest_density h² within the range of numbers");
 }
@@ -38,7 +38,7 @@ void read_particles(const SceneValue& table, Scene& scene) {
 void read_fluid(const SceneValue& table, ShapeReader& reader, Scene& scene) {
   scene.gravity = numbers(table.at("gravity"));
   scene.central_force = table.at("central_force").number;
-  scene.centre = reader.point({&table, "fluid"}, "centre");
+  scene.centre = reader.point(table.at("centre"));
   scene.jitter = table.at("jitter").number;
   scene.seed = static_cast<uint64_t>(table.at("seed").integer);
   scene.relax = count(table.at("relax"));
@@ -67,11 +67,9 @@ void read_iisph(const SceneValue& table, Iisph& iisph) {
   const SceneValue& least = table.at("min_iterations");
   const SceneValue& most = table.at("max_iterations");
   if (least.integer > most.integer) {
-    bool name_least = !least.defaulted && (least.overridden || !most.overridden);
-    std::string key = name_least ? "min_iterations" : "max_iterations";
-    throw refusal(blame({&least, &most}), "pressure.iisph." + key, describe(name_least ? least : most),
-                  name_least ? "at most max_iterations, which is " + describe(most)
-                             : "at least min_iterations, which is " + describe(least));
+    if (!least.defaulted && (least.overridden || !most.overridden))
+      throw refusal({&least, &most}, describe(least), "at most max_iterations, which is " + describe(most));
+    throw refusal({&most, &least}, describe(most), "at least min_iterations, which is " + describe(least));
   }
   iisph.tolerance = table.at("tolerance").number;
   iisph.min_iterations = count(least);
@@ -102,22 +100,17 @@ void check_time(const SceneValue& root, const SceneValue* method_dt, const std::
   const SceneValue& table = root.at("time");
   const SceneValue *dt = table.find("dt"), *cfl = table.find("cfl");
   const SceneValue *least = table.find("dt_min"), *most = table.find("dt_max");
-  auto together = [&](const SceneValue& other, const std::string& key) {
-    throw refusal(blame({cfl, &other}), "time.cfl", fmt::format("{} together with {}", describe(*cfl), key),
+  if (const SceneValue* other = dt ? dt : method_dt; cfl && other)
+    throw refusal({cfl, other}, fmt::format("{} together with {}", describe(*cfl), other->path),
                   "one of the two");
-  };
-  if (cfl && dt) together(*dt, "time.dt");
-  if (cfl && method_dt) together(*method_dt, method_key);
   for (auto [value, key] : {std::pair{least, "time.dt_min"}, std::pair{most, "time.dt_max"}}) {
     if (cfl && !value)
       throw refusal(cfl->overridden ? cfl->where : table.where, key, "nothing",
                     "a number greater than 0, as time.cfl is set");
-    if (!cfl && value)
-      throw refusal(value->where, key, describe(*value) + " without time.cfl", "the two together");
+    if (!cfl && value) throw refusal({value}, describe(*value) + " without time.cfl", "the two together");
   }
   if (cfl && least->number > most->number)
-    throw refusal(blame({least, most}), "time.dt_min", describe(*least),
-                  "at most time.dt_max, which is " + describe(*most));
+    throw refusal({least, most}, describe(*least), "at most time.dt_max, which is " + describe(*most));
   if (!cfl && !dt && !method_dt)
     throw refusal(table.where, "time.dt", "nothing",
                   fmt::format("a number greater than 0, here or as {}", method_key));
@@ -135,14 +128,11 @@ void read_time(const SceneValue& root, Scene& scene) {
   if (const SceneValue* cfl = table.find("cfl")) {
     scene.adaptive = {cfl->number, table.at("dt_min").number, table.at("dt_max").number};
     dt = table.find("dt_min");
-    scene.dt = scene.adaptive->dt_max;
-    scene.dt_key = "time.dt_min";
-  } else {
-    scene.dt = dt->number;
-    scene.dt_key = method_dt ? method_key : "time.dt";
   }
+  scene.dt = scene.adaptive ? scene.adaptive->dt_max : dt->number;
+  scene.dt_key = dt->path;
   if (!(scene.duration / dt->number <= max_steps))
-    throw refusal(blame({&table.at("duration"), dt}), "time.duration",
+    throw refusal({&table.at("duration"), dt},
                   fmt::format("{}, which is {:.4g} steps of {}", describe(table.at("duration")),
                               scene.duration / dt->number, describe(*dt)),
                   fmt::format("at most {:.0f} steps", max_steps));
@@ -217,7 +207,7 @@ Scene build_scene(const SceneValue& root, const std::string& name, const std::st
   read_particles(root.at("particles"), scene);
   const SceneValue& spacing = root.at("particles").at("spacing");
   ShapeReader reader(spacing);
-  std::tie(scene.domain_min, scene.domain_max) = reader.box({&root.at("domain"), "domain"}, true);
+  std::tie(scene.domain_min, scene.domain_max) = reader.box(root.at("domain"), true);
   read_fluid(root.at("fluid"), reader, scene);
   if (const SceneValue* boundary = root.find("boundary")) read_boundary(*boundary, reader, scene);
   if (const SceneValue* viscosity = root.find("viscosity")) read_viscosity(*viscosity, scene);

@@ -64,88 +64,92 @@ bool fits(const SceneValue& value, const SceneKey& key, KeyType type) {
   }
 }
 
-/// The place and path of a bad element name the element.
-void check_value(const SceneValue& value, const std::string& path, const SceneKey& key, KeyType type) {
+void check_value(SceneValue& value, const SceneKey& key, KeyType type) {
   if (!fits(value, key, type)) {
     std::string expected = expectation(key, type);
     if (value.is_number() && !std::isfinite(value.number) && expected.starts_with("a "))
       expected.insert(2, "finite ");
-    throw refusal(value.where, path, describe(value), expected);
+    throw refusal({&value}, describe(value), expected);
   }
   if (!type_info(type).is_array()) return;
-  for (size_t i = 0; i < value.items.size(); ++i)
-    check_value(value.items[i], fmt::format("{}.{}", path, i), key, type_info(type).element);
+  for (size_t i = 0; i < value.items.size(); ++i) {
+    value.items[i].path = fmt::format("{}.{}", value.path, i);
+    check_value(value.items[i], key, type_info(type).element);
+  }
   if (type != KeyType::choices) return;
   for (auto item = value.items.begin(); item != value.items.end(); ++item)
     if (std::ranges::count(value.items.begin(), item, item->text, &SceneValue::text) > 0)
-      throw refusal(item->where, fmt::format("{}.{}", path, item - value.items.begin()),
-                    describe(*item) + " a second time", "each name at most once");
+      throw refusal({&*item}, describe(*item) + " a second time", "each name at most once");
 }
 
 // ---- tables
 
-void check_table(SceneValue& table, std::string_view section, const std::string& path);
-
-void expect(const SceneValue& value, Kind kind, const std::string& path, const std::string& expected) {
-  if (value.kind != kind) throw refusal(value.where, path, describe(value), expected);
+void expect(const SceneValue& value, Kind kind, const std::string& expected) {
+  if (value.kind != kind) throw refusal({&value}, describe(value), expected);
 }
 
-void check_section(SceneValue& value, const SceneSection& section, const std::string& path) {
+void check_table(SceneValue& table, std::string_view section);
+
+void check_section(SceneValue& value, const SceneSection& section) {
   if (!section.is_array()) {
-    expect(value, Kind::table, path, fmt::format("a table [{}]", path));
-    return check_table(value, section.path, path);
+    expect(value, Kind::table, fmt::format("a table [{}]", value.path));
+    return check_table(value, section.path);
   }
-  expect(value, Kind::array, path, fmt::format("an array of tables, [[{}]]", path));
+  expect(value, Kind::array, fmt::format("an array of tables, [[{}]]", value.path));
   for (size_t i = 0; i < value.items.size(); ++i) {
-    std::string item_path = fmt::format("{}.{}", path, i);
-    expect(value.items[i], Kind::table, item_path, fmt::format("a table [[{}]]", path));
-    check_table(value.items[i], section.path, item_path);
+    value.items[i].path = fmt::format("{}.{}", value.path, i);
+    expect(value.items[i], Kind::table, fmt::format("a table [[{}]]", value.path));
+    check_table(value.items[i], section.path);
   }
 }
 
-void add_missing_key(SceneValue& table, const SceneKey& key, const std::string& path) {
+/// The new member of a table that was missing there.
+SceneValue& add(SceneValue& table, std::string_view name, SceneValue value) {
+  value.path = join_path(table.path, name);
+  value.where = table.where;
+  value.order = table.order;
+  value.defaulted = true;
+  return table.members.emplace_back(std::string(name), table.where, std::move(value)).value;
+}
+
+void add_missing(SceneValue& table, const SceneKey& key) {
   if (key.fallback.empty() || table.find(key.name())) return;
   if (key.fallback == required_key)
-    throw refusal(table.where, join_path(path, key.name()), "nothing", expectation(key));
-  table.members.push_back({std::string(key.name()), table.where, parse_default(key.fallback, table)});
+    throw refusal(table.where, join_path(table.path, key.name()), "nothing", expectation(key));
+  add(table, key.name(), parse_default(key.fallback, table));
 }
 
-void add_missing_section(SceneValue& table, const SceneSection& section, const std::string& path) {
+void add_missing(SceneValue& table, const SceneSection& section) {
   if (section.presence == Presence::optional || table.find(section.name())) return;
-  std::string full = join_path(path, section.name());
+  std::string path = join_path(table.path, section.name());
   if (section.presence == Presence::required)
-    throw refusal(table.where, full, "nothing", fmt::format("a table [{}]", full));
-  SceneValue made;
-  made.where = table.where;
-  made.order = table.order;
-  made.defaulted = true;
-  table.members.push_back({std::string(section.name()), table.where, std::move(made)});
-  check_section(table.members.back().value, section, full);
+    throw refusal(table.where, path, "nothing", fmt::format("a table [{}]", path));
+  check_section(add(table, section.name(), {}), section);
 }
 
-/// `section` is the table's path in the key table ("fluid.rect[]"), `path` in this scene ("fluid.rect.0").
-void check_table(SceneValue& table, std::string_view section, const std::string& path) {
+/// `section` is the table's path in the key table ("fluid.rect[]").
+void check_table(SceneValue& table, std::string_view section) {
   for (SceneValue::Member& member : table.members) {
-    std::string member_path = join_path(path, member.name);
+    SceneValue& value = member.value;
+    value.path = join_path(table.path, member.name);
     if (const SceneKey* key = find_key(section, member.name)) {
-      check_value(member.value, member_path, *key, key->type);
+      check_value(value, *key, key->type);
     } else if (const SceneSection* inner = find_section(section, member.name)) {
-      check_section(member.value, *inner, member_path);
+      check_section(value, *inner);
     } else {
-      throw InputError(one_line(
-          fmt::format("{}: {}: found an unknown key, expected one of the known keys; did you mean \"{}\"?",
-                      member.where, member_path.substr(0, 200), nearest_key(section, member.name))));
+      throw refusal(
+          member.where, value.path.substr(0, 200), "an unknown key",
+          fmt::format("one of the known keys; did you mean \"{}\"?", nearest_key(section, member.name)));
     }
   }
-  if (!section.empty())
-    for (const SceneKey& key : scene_keys())
-      if (key.section() == section) add_missing_key(table, key, path);
+  for (const SceneKey& key : scene_keys())
+    if (key.section() == section) add_missing(table, key);
   for (const SceneSection& inner : scene_sections())
-    if (inner.parent() == section) add_missing_section(table, inner, path);
+    if (inner.parent() == section) add_missing(table, inner);
 }
 
 }  // namespace
 
-void check_scene(SceneValue& root) { check_table(root, "", ""); }
+void check_scene(SceneValue& root) { check_table(root, ""); }
 
 }  // namespace sluice

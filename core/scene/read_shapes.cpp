@@ -14,7 +14,7 @@ namespace {
 
 constexpr double max_samples = 4294967295.0;  // ids are 32 bits wide
 
-uint32_t layers_of(const ScenePlace& place) { return static_cast<uint32_t>(place["layers"].integer); }
+uint32_t layers_of(const SceneValue& table) { return static_cast<uint32_t>(table.at("layers").integer); }
 
 /// Rows in the file, columns in memory.
 glm::dmat2 matrix(const SceneValue& rows) {
@@ -36,108 +36,84 @@ bool on_a_line(const std::vector<Vec2>& points) {
 
 }  // namespace
 
-const std::string& blame(std::initializer_list<const SceneValue*> values) {
-  for (const SceneValue* value : values)
-    if (value && value->overridden) return value->where;
-  for (const SceneValue* value : values)
-    if (value && !value->defaulted) return value->where;
-  return (*values.begin())->where;
-}
-
 Vec2 numbers(const SceneValue& pair) { return {pair.items[0].number, pair.items[1].number}; }
 
-InputError ScenePlace::refusal(std::string_view name, std::initializer_list<const SceneValue*> parts,
-                               const std::string& found, const std::string& expected) const {
-  return sluice::refusal(blame(parts), fmt::format("{}.{}", path, name), found, expected);
-}
-
-double ShapeReader::length(const SceneValue& value, const std::string& path) const {
+double ShapeReader::length(const SceneValue& value) const {
   double result = value.is_number() ? value.number : parse_length(value.text)->value(h_);
   if (!std::isfinite(result))
-    throw refusal(blame({&value, &spacing_}), path,
+    throw refusal({&value, &spacing_},
                   fmt::format("{}, which is {} with h = {}", describe(value), result, h_), "a finite length");
   return result;
 }
 
-Vec2 ShapeReader::point(const SceneValue& value, const std::string& path) const {
-  return {length(value.items[0], path + ".0"), length(value.items[1], path + ".1")};
-}
-
-Vec2 ShapeReader::point(const ScenePlace& place, std::string_view name) const {
-  return point(place[name], fmt::format("{}.{}", place.path, name));
-}
-
-std::pair<Vec2, Vec2> ShapeReader::box(const ScenePlace& place, bool finite) const {
-  const Vec2 min = point(place, "min"), max = point(place, "max"), size = max - min;
+std::pair<Vec2, Vec2> ShapeReader::box(const SceneValue& table, bool finite) const {
+  const Vec2 min = point(table.at("min")), max = point(table.at("max")), size = max - min;
   if (!(size.x > 0 && size.y > 0) || (finite && !(std::isfinite(size.x) && std::isfinite(size.y))))
-    throw place.refusal(
-        "max", {&place["max"], &place["min"], &spacing_}, describe(max),
+    throw refusal(
+        {&table.at("max"), &table.at("min"), &spacing_}, describe(max),
         fmt::format("more than min {} both ways{}", describe(min), finite ? ", by a finite length" : ""));
   return {min, max};
 }
 
-void ShapeReader::add_samples(const ScenePlace& place, double count) {
+void ShapeReader::add_samples(const SceneValue& table, double count) {
   samples_ += count;
   if (!(samples_ <= max_samples))
-    throw refusal(blame({&spacing_, place.table}), "particles.spacing",
-                  fmt::format("{}, which makes {:.4g} samples up to {}", h_, samples_, place.path),
+    throw refusal({&spacing_, &table},
+                  fmt::format("{}, which makes {:.4g} samples up to {}", h_, samples_, table.path),
                   fmt::format("at most {:.0f} in all shapes together; use a larger spacing or smaller shapes",
                               max_samples));
 }
 
-Rect ShapeReader::rect(const ScenePlace& place) {
-  const SceneValue *max = place.table->find("max"), *count = place.table->find("count");
-  if (max && count)
-    throw place.refusal("count", {count, max}, describe(*count) + " together with max", "one of the two");
+Rect ShapeReader::rect(const SceneValue& table) {
+  const SceneValue *max = table.find("max"), *count = table.find("count");
+  if (max && count) throw refusal({count, max}, describe(*count) + " together with max", "one of the two");
   if (!max && !count)
-    throw place.refusal("max", {place.table}, "nothing", "an array of two lengths, or count in its place");
-  Rect rect{point(place, "min"), {}, 0};
-  Vec2 n = count ? numbers(*count) : glm::ceil((point(place, "max") - rect.min) / h_ - 1e-6);
+    throw refusal(table.where, table.path + ".max", "nothing",
+                  "an array of two lengths, or count in its place");
+  Rect rect{point(table.at("min")), {}, 0};
+  Vec2 n = count ? numbers(*count) : glm::ceil((point(table.at("max")) - rect.min) / h_ - 1e-6);
   if (!(n.x >= 1 && n.y >= 1))  // only without a count
-    throw place.refusal("max", {max, &place["min"], &spacing_}, describe(point(place, "max")),
-                        fmt::format("more than min {} both ways", describe(rect.min)));
-  add_samples(place, n.x * n.y);
+    throw refusal({max, &table.at("min"), &spacing_}, describe(point(table.at("max"))),
+                  fmt::format("more than min {} both ways", describe(rect.min)));
+  add_samples(table, n.x * n.y);
   rect.count = {static_cast<uint32_t>(n.x), static_cast<uint32_t>(n.y)};
-  if (place.table->find("layers")) rect.layers = layers_of(place);
+  if (table.find("layers")) rect.layers = layers_of(table);
   return rect;
 }
 
-Disc ShapeReader::disc(const ScenePlace& place) {
-  const SceneValue& radius = place["radius"];
-  Disc disc{point(place, "centre"), length(radius, place.path + ".radius")};
+Disc ShapeReader::disc(const SceneValue& table) {
+  const SceneValue& radius = table.at("radius");
+  Disc disc{point(table.at("centre")), length(radius)};
   if (!(disc.radius > 0))
-    throw place.refusal(
-        "radius", {&radius, &spacing_},
-        describe(radius) + (radius.is_number() ? "" : fmt::format(", which is {}", disc.radius)),
-        "a length greater than 0");
+    throw refusal({&radius, &spacing_},
+                  describe(radius) + (radius.is_number() ? "" : fmt::format(", which is {}", disc.radius)),
+                  "a length greater than 0");
   double across = 2 * disc.radius / h_ + 1;
-  add_samples(place, across * across);
+  add_samples(table, across * across);
   return disc;
 }
 
-Polygon ShapeReader::polygon(const ScenePlace& place, bool needs_centre) {
-  const SceneValue& points = place["points"];
+Polygon ShapeReader::polygon(const SceneValue& table, bool needs_centre) {
+  const SceneValue& points = table.at("points");
   Polygon polygon;
-  for (size_t i = 0; i < points.items.size(); ++i)
-    polygon.points.push_back(point(points.items[i], fmt::format("{}.points.{}", place.path, i)));
+  for (const SceneValue& item : points.items) polygon.points.push_back(point(item));
   if (on_a_line(polygon.points))
-    throw place.refusal("points", {&points, &spacing_}, "points on one line", "corners that enclose an area");
+    throw refusal({&points, &spacing_}, "points on one line", "corners that enclose an area");
   Vec2 low = polygon.points[0], high = low;
   for (Vec2 p : polygon.points) low = glm::min(low, p), high = glm::max(high, p);
   Vec2 n = (high - low) / h_ + 1.0;
-  add_samples(place, n.x * n.y);
+  add_samples(table, n.x * n.y);
   const Vec2 centre = needs_centre ? centre_of(polygon, h_) : low;
   if (!std::isfinite(centre.x) || !std::isfinite(centre.y))
-    throw place.refusal("points", {&points, &spacing_},
-                        "corners with edges that cross, around nothing on balance",
-                        "corners in order around an area");
+    throw refusal({&points, &spacing_}, "corners with edges that cross, around nothing on balance",
+                  "corners in order around an area");
   return polygon;
 }
 
-Container ShapeReader::container(const ScenePlace& place) {
-  auto [min, max] = box(place);
-  Container box{min, max, layers_of(place)};
-  for (const SceneValue& side : place["sides"].items) {
+Container ShapeReader::container(const SceneValue& table) {
+  auto [min, max] = box(table);
+  Container box{min, max, layers_of(table)};
+  for (const SceneValue& side : table.at("sides").items) {
     switch (value_named<Side>(side.text).value()) {
       case Side::left: box.left = true; break;
       case Side::right: box.right = true; break;
@@ -146,54 +122,51 @@ Container ShapeReader::container(const ScenePlace& place) {
     }
   }
   Vec2 n = (box.max - box.min) / h_ + 1.0;
-  add_samples(place, box.layers * (n.y * (box.left + box.right) + n.x * (box.bottom + box.top)));
+  add_samples(table, box.layers * (n.y * (box.left + box.right) + n.x * (box.bottom + box.top)));
   return box;
 }
 
-Segment ShapeReader::segment(const ScenePlace& place) {
-  Segment wall{point(place, "from"), point(place, "to"), layers_of(place)};
+Segment ShapeReader::segment(const SceneValue& table) {
+  Segment wall{point(table.at("from")), point(table.at("to")), layers_of(table)};
   if (wall.from == wall.to)
-    throw place.refusal("to", {&place["to"], &place["from"], &spacing_}, describe(wall.to),
-                        "another point than from");
-  add_samples(place, wall.layers * (glm::distance(wall.from, wall.to) / h_ + 1));
+    throw refusal({&table.at("to"), &table.at("from"), &spacing_}, describe(wall.to),
+                  "another point than from");
+  add_samples(table, wall.layers * (glm::distance(wall.from, wall.to) / h_ + 1));
   return wall;
 }
 
 template <class Shape>
-std::vector<Shape> ShapeReader::shapes(const SceneValue& table, const std::string& path) {
-  std::vector<ScenePlace> places;
-  for (const SceneValue::Member& member : table.members)
-    for (size_t i = 0; i < member.value.items.size(); ++i)
-      if (const SceneValue& item = member.value.items[i]; item.kind == SceneValue::Kind::table)
-        places.push_back({&item, fmt::format("{}.{}.{}", path, member.name, i), member.name});
-  std::ranges::stable_sort(places, {}, [](const ScenePlace& place) { return place.table->order; });
+std::vector<Shape> ShapeReader::shapes(const SceneValue& parent) {
+  std::vector<std::pair<std::string_view, const SceneValue*>> tables;  // with their kinds
+  for (const SceneValue::Member& member : parent.members)
+    for (const SceneValue& item : member.value.items)
+      if (item.kind == SceneValue::Kind::table) tables.emplace_back(member.name, &item);
+  std::ranges::stable_sort(tables, {}, [](const auto& table) { return table.second->order; });
 
   constexpr bool fluid = std::is_same_v<Shape, FluidShape>;
   std::vector<Shape> shapes;
-  for (const ScenePlace& place : places) {
+  for (auto [kind, table] : tables) {
     Shape& shape = shapes.emplace_back();
-    shape.key = place.path;
-    shape.where = place.table->where;
-    if (place.kind == "rect") shape.geometry = rect(place);
-    if (place.kind == "disc") shape.geometry = disc(place);
-    if (place.kind == "polygon") shape.geometry = polygon(place, fluid);
+    shape.key = table->path;
+    shape.where = table->where;
+    if (kind == "rect") shape.geometry = rect(*table);
+    if (kind == "disc") shape.geometry = disc(*table);
+    if (kind == "polygon") shape.geometry = polygon(*table, fluid);
     if constexpr (fluid) {
-      shape.velocity = numbers(place["velocity"]);
-      shape.velocity_gradient = matrix(place["velocity_gradient"]);
+      shape.velocity = numbers(table->at("velocity"));
+      shape.velocity_gradient = matrix(table->at("velocity_gradient"));
     } else {
-      if (place.kind == "container") shape.geometry = container(place);
-      if (place.kind == "segment") shape.geometry = segment(place);
+      if (kind == "container") shape.geometry = container(*table);
+      if (kind == "segment") shape.geometry = segment(*table);
     }
   }
   return shapes;
 }
 
-std::vector<FluidShape> ShapeReader::fluid(const SceneValue& table) {
-  return shapes<FluidShape>(table, "fluid");
-}
+std::vector<FluidShape> ShapeReader::fluid(const SceneValue& table) { return shapes<FluidShape>(table); }
 
 std::vector<BoundaryShape> ShapeReader::boundary(const SceneValue& table) {
-  return shapes<BoundaryShape>(table, "boundary");
+  return shapes<BoundaryShape>(table);
 }
 
 }  // namespace sluice

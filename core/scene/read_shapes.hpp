@@ -1,25 +1,13 @@
 // The shapes of a checked scene tree, [[fluid.*]] and [[boundary.*]], as values in numbers.
 #pragma once
 
-#include <initializer_list>
+#include <utility>
 #include <vector>
 
 #include "core/scene/scene.hpp"
 #include "core/scene/tree.hpp"
 
 namespace sluice {
-
-/// A table of the tree.
-struct ScenePlace {
-  const SceneValue* table;
-  std::string path;       ///< in this scene: "fluid.rect.0"
-  std::string kind = "";  ///< of a shape: "rect"
-
-  const SceneValue& operator[](std::string_view name) const { return table->at(name); }
-  /// The error for a key of this table, at the place to `blame` among the values that take part.
-  InputError refusal(std::string_view name, std::initializer_list<const SceneValue*> parts,
-                     const std::string& found, const std::string& expected) const;
-};
 
 /// Reads lengths and shapes, and keeps the samples of all shapes read within what can be numbered. All throw
 /// InputError.
@@ -32,33 +20,28 @@ class ShapeReader {
   std::vector<FluidShape> fluid(const SceneValue& table);
   std::vector<BoundaryShape> boundary(const SceneValue& table);
 
-  /// The point [x, y] of a key.
-  Vec2 point(const ScenePlace& place, std::string_view name) const;
+  /// The value of a point [x, y].
+  Vec2 point(const SceneValue& value) const { return {length(value.items[0]), length(value.items[1])}; }
 
-  /// The points `min` and `max`, which has to be beyond it both ways, and when asked not infinitely far.
-  std::pair<Vec2, Vec2> box(const ScenePlace& place, bool finite = false) const;
+  /// The points `min` and `max` of a table, of which `max` has to be beyond it both ways, and when asked not
+  /// infinitely far.
+  std::pair<Vec2, Vec2> box(const SceneValue& table, bool finite = false) const;
 
  private:
   template <class Shape>
-  std::vector<Shape> shapes(const SceneValue& table, const std::string& path);
-
-  double length(const SceneValue& value, const std::string& path) const;
-  Vec2 point(const SceneValue& value, const std::string& path) const;
-  Rect rect(const ScenePlace& place);
-  Disc disc(const ScenePlace& place);
-  Polygon polygon(const ScenePlace& place, bool needs_centre);
-  Container container(const ScenePlace& place);
-  Segment segment(const ScenePlace& place);
-  void add_samples(const ScenePlace& place, double count);
+  std::vector<Shape> shapes(const SceneValue& parent);
+  double length(const SceneValue& value) const;
+  Rect rect(const SceneValue& table);
+  Disc disc(const SceneValue& table);
+  Polygon polygon(const SceneValue& table, bool needs_centre);
+  Container container(const SceneValue& table);
+  Segment segment(const SceneValue& table);
+  void add_samples(const SceneValue& table, double count);
 
   const SceneValue& spacing_;
   double h_;
   double samples_ = 0;  ///< so far; an upper bound for discs and polygons
 };
-
-/// The place to name for a mistake in which several values take part: the first that was overridden, else the
-/// first that was written, else the first.
-const std::string& blame(std::initializer_list<const SceneValue*> values);
 
 /// The value of a checked [x, y] of numbers.
 Vec2 numbers(const SceneValue& pair);
