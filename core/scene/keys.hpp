@@ -54,8 +54,8 @@ struct SceneKey {
   std::string_view unit;  ///< in the scene's own units; empty: a pure number or no number
   std::string_view
       fallback;  ///< default as TOML text, `required_key`, or empty: may be absent, has no default
-  KeyRange range;
-  std::string_view meaning;                  ///< one line of Markdown
+  std::string_view meaning;  ///< one line of Markdown
+  KeyRange range = {};
   std::span<const ChoiceInfo> choices = {};  ///< that there are; their meanings follow that of the key
 
   std::string_view section() const { return path.substr(0, path.rfind('.')); }

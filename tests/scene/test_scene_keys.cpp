@@ -131,7 +131,7 @@ TEST(SceneKeys, NearestKey) {
 TEST(SceneKeys, Expectations) {
   auto with_range = [](KeyType type, KeyRange range) {
     return expectation(
-        SceneKey{.path = "a.b", .type = type, .unit = "", .fallback = "", .range = range, .meaning = ""});
+        SceneKey{.path = "a.b", .type = type, .unit = "", .fallback = "", .meaning = "", .range = range});
   };
   EXPECT_EQ(with_range(KeyType::number, {}), "a number");
   EXPECT_EQ(with_range(KeyType::number, {.low = 0, .low_excluded = true}), "a number greater than 0");
