@@ -152,42 +152,31 @@ void read_output(const SceneValue& table, Scene& scene) {
 
 // ---- settings
 
-nlohmann::ordered_json value_json(const SceneValue& value, bool integer) {
+nlohmann::ordered_json to_json(const SceneValue& value, std::string_view path, KeyType type) {
   if (value.kind == SceneValue::Kind::text) return value.text;
-  if (value.is_number() && integer) return value.integer;
+  if (type == KeyType::integer) return value.integer;
   if (value.is_number()) return value.number;
-  auto array = nlohmann::ordered_json::array();
-  for (const SceneValue& item : value.items) array.push_back(value_json(item, integer));
-  return array;
-}
-
-nlohmann::ordered_json table_json(const SceneValue& table, std::string_view section) {
-  auto json = nlohmann::ordered_json::object();
-  for (const SceneKey& key : scene_keys()) {
-    if (section.empty() || key.section() != section) continue;
-    if (const SceneValue* value = table.find(key.name()))
-      json[key.name()] = value_json(*value, key.type == KeyType::integer || key.type == KeyType::integers);
-    else if (key.path == "time.dt" || key.path == "output.size")
-      json[key.name()] = nullptr;  // keeps the order
+  if (value.kind == SceneValue::Kind::array) {
+    auto array = nlohmann::ordered_json::array();
+    for (const SceneValue& item : value.items) array.push_back(to_json(item, path, type_info(type).element));
+    return array;
   }
-  for (const SceneSection& inner : scene_sections()) {
-    const SceneValue* value = inner.parent() == section ? table.find(inner.name()) : nullptr;
-    if (!value) continue;
-    auto& place = json[inner.name()];
-    if (!inner.is_array())
-      place = table_json(*value, inner.path);
-    else
-      place = nlohmann::ordered_json::array();
-    for (const SceneValue& item : value->items) place.push_back(table_json(item, inner.path));
+  auto table = nlohmann::ordered_json::object();
+  for (const SceneKey& row : scene_rows()) {
+    if (row.section() != path) continue;
+    if (const SceneValue* member = value.find(row.name()))
+      table[row.name()] = to_json(*member, row.path, row.type);
+    else if (row.path == "time.dt" || row.path == "output.size")
+      table[row.name()] = nullptr;  // keeps the order
   }
-  return json;
+  return table;
 }
 
 /// The scene as run, as JSON: every key of the tree in the order of the key table, defaults included; numbers
 /// as numbers, length strings as written. `scene` gives what no key says by itself: the time step and the
 /// picture's size.
 std::string settings_text(const SceneValue& root, const Scene& scene) {
-  nlohmann::ordered_json settings = table_json(root, "");
+  nlohmann::ordered_json settings = to_json(root, "", KeyType::table);
   if (scene.adaptive)
     settings["time"].erase("dt");
   else

@@ -1,13 +1,13 @@
 // The rows of the key table. To add a key, add its row here and read it in build.cpp.
 #include "core/scene/keys.hpp"
 
+#include <algorithm>
 #include <array>
 
 namespace sluice {
 namespace {
 
 using enum KeyType;
-using enum Presence;
 
 constexpr KeyRange positive{.low = 0, .low_excluded = true};
 constexpr KeyRange not_negative{.low = 0};
@@ -19,55 +19,12 @@ constexpr KeyRange between(double low, double high) { return {low, high, true, t
 constexpr KeyRange above_to(double low, double high) { return {low, high, true, false}; }
 
 constexpr SceneKey named(std::string_view path, std::string_view fallback, std::string_view meaning,
-                         ChoiceTable table, KeyType type = choice) {
-  return {path, type, "", fallback, meaning, {}, table.rows};
+                         ChoiceTable names, KeyType type = choice) {
+  return {path, type, "", fallback, meaning, {}, names.rows};
 }
 
-constexpr auto sections = std::to_array<SceneSection>({
-    {"scene", required, "What the scene is called and where it comes from."},
-    {"particles", required, "The discretisation."},
-    {"domain", required,
-     "The frame of the picture. A particle left of it, right of it or below it counts as lost."},
-    {"fluid", required,
-     "Forces on the fluid and how it starts. At least one fluid shape is needed. Particles are numbered "
-     "shape by shape in the order of the file, in a shape by rows from below, in a row from the left."},
-    {"fluid.rect[]", optional,
-     "A rectangle of fluid: particles at `min` + (i, j) h. Takes `max` or `count`, not both."},
-    {"fluid.disc[]", optional,
-     "A disc of fluid: the lattice of spacing h through its centre, strictly inside."},
-    {"fluid.polygon[]", optional,
-     "A polygon of fluid: the lattice of spacing h through its first point, strictly inside."},
-    {"boundary", optional,
-     "Solid walls that do not move. Leave the table out when there are none. A sample closer than h/2 to "
-     "an earlier one is dropped."},
-    {"boundary.rect[]", optional,
-     "A rectangle of boundary samples at `min` + (i, j) h. Takes `max` or `count`, not both."},
-    {"boundary.disc[]", optional, "A disc of boundary samples, filled as a disc of fluid."},
-    {"boundary.polygon[]", optional, "A polygon of boundary samples, filled as a polygon of fluid."},
-    {"boundary.container[]", optional,
-     "Walls of a box: from each named side inward, samples at the wall, at h, at 2h, ..."},
-    {"boundary.segment[]", optional,
-     "A straight wall: samples every h along `from` -> `to`, further layers to the right of that "
-     "direction."},
-    {"viscosity", optional, "Leave the table out for an inviscid fluid."},
-    {"pressure", required,
-     "How pressure is computed. The tables of all methods may be present; `method` chooses."},
-    {"pressure.iisph", defaulted,
-     "Implicit incompressible SPH, a linear system for the pressure [Ihmsen et al. 2014], "
-     "[Hunkler 2022]."},
-    {"pressure.ssph", optional,
-     "Pressure from the state equation p = max(k (rho/rho0 - 1), 0) [Hunkler 2022]. Needed when "
-     "`pressure.method` is \"ssph\"."},
-    {"pressure.wcsph", optional,
-     "Pressure from Tait's equation p = kappa rho0/gamma ((rho/rho0)^gamma - 1) [WCSPH page]. Needed "
-     "when `pressure.method` is \"wcsph\"."},
-    {"time", required,
-     "Time step and duration. The step is `dt` of the chosen method's table, else `dt` here; one of the "
-     "two is needed."},
-    {"output", defaulted, "Pictures of the run."},
-});
-
-constexpr auto keys = std::to_array<SceneKey>({
+/// The keys, and then the tables.
+constexpr auto rows = std::to_array<SceneKey>({
     {"scene.title", text, "", required_key, "Shown on pictures and in summaries."},
     {"scene.source", text, "", "\"\"", "Where the scene comes from."},
 
@@ -178,12 +135,59 @@ constexpr auto keys = std::to_array<SceneKey>({
     {"output.size", integers, "pixel", "",
      "Width and height. Without it the longer side of `domain` is 800 pixels.", from_to(16, 16384)},
     named("output.colour", "\"speed\"", "What the colour of a particle shows.", choices_of(Colour{})),
+
+    {"scene", table, "", required_key, "What the scene is called and where it comes from."},
+    {"particles", table, "", required_key, "The discretisation."},
+    {"domain", table, "", required_key,
+     "The frame of the picture. A particle left of it, right of it or below it counts as lost."},
+    {"fluid", table, "", required_key,
+     "Forces on the fluid and how it starts. At least one fluid shape is needed. Particles are numbered "
+     "shape by shape in the order of the file, in a shape by rows from below, in a row from the left."},
+    {"fluid.rect[]", tables, "", "",
+     "A rectangle of fluid: particles at `min` + (i, j) h. Takes `max` or `count`, not both."},
+    {"fluid.disc[]", tables, "", "",
+     "A disc of fluid: the lattice of spacing h through its centre, strictly inside."},
+    {"fluid.polygon[]", tables, "", "",
+     "A polygon of fluid: the lattice of spacing h through its first point, strictly inside."},
+    {"boundary", table, "", "",
+     "Solid walls that do not move. Leave the table out when there are none. A sample closer than h/2 to "
+     "an earlier one is dropped."},
+    {"boundary.rect[]", tables, "", "",
+     "A rectangle of boundary samples at `min` + (i, j) h. Takes `max` or `count`, not both."},
+    {"boundary.disc[]", tables, "", "", "A disc of boundary samples, filled as a disc of fluid."},
+    {"boundary.polygon[]", tables, "", "", "A polygon of boundary samples, filled as a polygon of fluid."},
+    {"boundary.container[]", tables, "", "",
+     "Walls of a box: from each named side inward, samples at the wall, at h, at 2h, ..."},
+    {"boundary.segment[]", tables, "", "",
+     "A straight wall: samples every h along `from` -> `to`, further layers to the right of that "
+     "direction."},
+    {"viscosity", table, "", "", "Leave the table out for an inviscid fluid."},
+    {"pressure", table, "", required_key,
+     "How pressure is computed. The tables of all methods may be present; `method` chooses."},
+    {"pressure.iisph", table, "", "{}",
+     "Implicit incompressible SPH, a linear system for the pressure [Ihmsen et al. 2014], "
+     "[Hunkler 2022]."},
+    {"pressure.ssph", table, "", "",
+     "Pressure from the state equation p = max(k (rho/rho0 - 1), 0) [Hunkler 2022]. Needed when "
+     "`pressure.method` is \"ssph\"."},
+    {"pressure.wcsph", table, "", "",
+     "Pressure from Tait's equation p = kappa rho0/gamma ((rho/rho0)^gamma - 1) [WCSPH page]. Needed "
+     "when `pressure.method` is \"wcsph\"."},
+    {"time", table, "", required_key,
+     "Time step and duration. The step is `dt` of the chosen method's table, else `dt` here; one of the "
+     "two is needed."},
+    {"output", table, "", "{}", "Pictures of the run."},
 });
+
+constexpr size_t key_count =
+    std::ranges::count_if(rows, [](const SceneKey& row) { return row.type != table && row.type != tables; });
 
 }  // namespace
 
-std::span<const SceneKey> scene_keys() { return keys; }
+std::span<const SceneKey> scene_rows() { return rows; }
 
-std::span<const SceneSection> scene_sections() { return sections; }
+std::span<const SceneKey> scene_keys() { return scene_rows().first(key_count); }
+
+std::span<const SceneKey> scene_tables() { return scene_rows().subspan(key_count); }
 
 }  // namespace sluice

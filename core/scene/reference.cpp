@@ -64,8 +64,10 @@ constexpr std::array types{
     KeyTypeInfo{"3 or more points", "an array of three or more points [x, y]", KeyType::lengths, 3, many},
     KeyTypeInfo{"string", "{1}"},
     KeyTypeInfo{"strings", "an array of one or more of {2}, each at most once", KeyType::choice, 1, many},
+    KeyTypeInfo{"table", "a table {3}"},
+    KeyTypeInfo{"tables", "an array of tables, {3}", KeyType::table, 0, many},
 };
-static_assert(types.size() == size_t(KeyType::choices) + 1);
+static_assert(types.size() == size_t(KeyType::tables) + 1);
 
 std::string allowed_text(const SceneKey& key) {
   std::string text;
@@ -93,15 +95,12 @@ std::string default_text(const SceneKey& key) {
   return key.fallback.empty() ? "" : fmt::format("`{}`", key.fallback);
 }
 
-std::string section_text(const SceneSection& section) {
-  bool array = section.is_array();
-  std::string_view path = array ? section.path.substr(0, section.path.size() - 2) : section.path;
-  std::string_view presence = section.presence == Presence::required ? "Required. " : "";
-  std::string text = fmt::format("\n## {}{}{}\n\n{}{}\n\n", array ? "[[" : "[", path, array ? "]]" : "]",
-                                 presence, section.meaning);
+std::string section_text(const SceneKey& table) {
+  std::string text = fmt::format("\n## {}\n\n{}{}\n\n", header(table),
+                                 table.fallback == required_key ? "Required. " : "", table.meaning);
   text += "| key | type | unit | default | allowed | meaning |\n|---|---|---|---|---|---|\n";
   for (const SceneKey& key : scene_keys()) {
-    if (key.section() != section.path) continue;
+    if (key.section() != table.path) continue;
     text += fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", key.name(), type_info(key.type).name, key.unit,
                         default_text(key), allowed_text(key), meaning_text(key));
   }
@@ -134,28 +133,31 @@ std::string join_choices(std::span<const ChoiceInfo> choices, std::string_view l
 
 const KeyTypeInfo& type_info(KeyType type) { return types.at(size_t(type)); }
 
+std::string header(const SceneKey& table) {
+  const std::string_view path = table.path.substr(0, table.path.find('['));
+  return fmt::format(fmt::runtime(table.is_array_of_tables() ? "[[{}]]" : "[{}]"), path);
+}
+
 std::string expectation(const SceneKey& key, KeyType type) {
   return fmt::format(fmt::runtime(type_info(type).expectation), range_text(key.range),
-                     join_choices(key.choices), join_choices(key.choices, "and"));
+                     join_choices(key.choices), join_choices(key.choices, "and"), header(key));
 }
 
 std::string nearest_key(std::string_view section, std::string_view unknown) {
   unknown = unknown.substr(0, 100);
   std::string nearest, elsewhere;
   size_t least = ~size_t{0};
-  auto consider = [&](std::string_view holder, std::string_view name, std::string_view path) {
-    size_t distance = edit_distance(unknown, name);
-    if (holder == section && distance < least) least = distance, nearest = name;
-    if (distance == 0 && elsewhere.empty()) elsewhere = path;
-  };
-  for (const SceneKey& key : scene_keys()) consider(key.section(), key.name(), key.path);
-  for (const SceneSection& s : scene_sections()) consider(s.parent(), s.name(), s.path);
+  for (const SceneKey& row : scene_rows()) {
+    size_t distance = edit_distance(unknown, row.name());
+    if (row.section() == section && distance < least) least = distance, nearest = row.name();
+    if (distance == 0 && elsewhere.empty()) elsewhere = row.path;
+  }
   return least > 2 && !elsewhere.empty() ? elsewhere : nearest;
 }
 
 std::string key_reference() {
   std::string text(introduction);
-  for (const SceneSection& section : scene_sections()) text += section_text(section);
+  for (const SceneKey& table : scene_tables()) text += section_text(table);
   return text;
 }
 
