@@ -53,16 +53,6 @@ void read_fluid(const SceneValue& table, ShapeReader& reader, Scene& scene) {
   }
 }
 
-void read_boundary(const SceneValue& table, ShapeReader& reader, Scene& scene) {
-  read_choice(table.at("model"), scene.boundary_model);
-  scene.boundary = reader.boundary(table);
-}
-
-void read_viscosity(const SceneValue& table, Scene& scene) {
-  read_choice(table.at("model"), scene.viscosity_model);
-  scene.viscosity = table.at("coefficient").number;
-}
-
 void read_iisph(const SceneValue& table, Iisph& iisph) {
   const SceneValue& least = table.at("min_iterations");
   const SceneValue& most = table.at("max_iterations");
@@ -198,8 +188,14 @@ Scene build_scene(const SceneValue& root, const std::string& name, const std::st
   ShapeReader reader(spacing);
   std::tie(scene.domain_min, scene.domain_max) = reader.box(root.at("domain"), true);
   read_fluid(root.at("fluid"), reader, scene);
-  if (const SceneValue* boundary = root.find("boundary")) read_boundary(*boundary, reader, scene);
-  if (const SceneValue* viscosity = root.find("viscosity")) read_viscosity(*viscosity, scene);
+  if (const SceneValue* boundary = root.find("boundary")) {
+    read_choice(boundary->at("model"), scene.boundary_model);
+    scene.boundary = reader.boundary(*boundary);
+  }
+  if (const SceneValue* viscosity = root.find("viscosity")) {
+    read_choice(viscosity->at("model"), scene.viscosity_model);
+    scene.viscosity = viscosity->at("coefficient").number;
+  }
   read_pressure(root, scene);
   read_time(root, scene);
   read_output(root.at("output"), scene);
