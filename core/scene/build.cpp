@@ -1,14 +1,12 @@
 // The tree's values into the Scene's fields, and the checks across keys.
-#include "core/scene/build.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "core/scene/check.hpp"
 #include "core/scene/keys.hpp"
+#include "core/scene/passes.hpp"
 #include "core/scene/read_shapes.hpp"
 #include "core/scene/settings.hpp"
 
@@ -32,26 +30,15 @@ void read_particles(const SceneValue& table, Scene& scene) {
   scene.rest_density = table.at("rest_density").number;
   scene.spacing_where = spacing.where;
   if (!std::isnormal(scene.mass()))
-    throw refusal(blame({&spacing, &table.at("rest_density")}), "particles.spacing",
+    throw refusal({&spacing, &table.at("rest_density")},
                   fmt::format("{}, which makes the mass of a particle {}", describe(spacing), scene.mass()),
                   "a mass rest_density h² within the range of numbers");
-}
-
-void read_domain(const SceneValue& table, const ShapeReader& reader, const SceneValue& spacing,
-                 Scene& scene) {
-  scene.domain_min = reader.point(table.at("min"), "domain.min");
-  scene.domain_max = reader.point(table.at("max"), "domain.max");
-  Vec2 size = scene.domain_max - scene.domain_min;
-  if (!(size.x > 0 && size.y > 0 && std::isfinite(size.x) && std::isfinite(size.y)))
-    throw refusal(blame({&table.at("max"), &table.at("min"), &spacing}), "domain.max",
-                  describe(scene.domain_max),
-                  fmt::format("more than min {} both ways, by a finite length", describe(scene.domain_min)));
 }
 
 void read_fluid(const SceneValue& table, ShapeReader& reader, Scene& scene) {
   scene.gravity = numbers(table.at("gravity"));
   scene.central_force = table.at("central_force").number;
-  scene.centre = reader.point(table.at("centre"), "fluid.centre");
+  scene.centre = reader.point(table.at("centre"));
   scene.jitter = table.at("jitter").number;
   scene.seed = static_cast<uint64_t>(table.at("seed").integer);
   scene.relax = count(table.at("relax"));
@@ -66,25 +53,13 @@ void read_fluid(const SceneValue& table, ShapeReader& reader, Scene& scene) {
   }
 }
 
-void read_boundary(const SceneValue& table, ShapeReader& reader, Scene& scene) {
-  read_choice(table.at("model"), scene.boundary_model);
-  scene.boundary = reader.boundary(table);
-}
-
-void read_viscosity(const SceneValue& table, Scene& scene) {
-  read_choice(table.at("model"), scene.viscosity_model);
-  scene.viscosity = table.at("coefficient").number;
-}
-
 void read_iisph(const SceneValue& table, Iisph& iisph) {
   const SceneValue& least = table.at("min_iterations");
   const SceneValue& most = table.at("max_iterations");
   if (least.integer > most.integer) {
-    bool name_least = !least.defaulted && (least.overridden || !most.overridden);
-    std::string key = name_least ? "min_iterations" : "max_iterations";
-    throw refusal(blame({&least, &most}), "pressure.iisph." + key, describe(name_least ? least : most),
-                  name_least ? "at most max_iterations, which is " + describe(most)
-                             : "at least min_iterations, which is " + describe(least));
+    if (!least.defaulted && (least.overridden || !most.overridden))
+      throw refusal({&least, &most}, describe(least), "at most max_iterations, which is " + describe(most));
+    throw refusal({&most, &least}, describe(most), "at least min_iterations, which is " + describe(least));
   }
   iisph.tolerance = table.at("tolerance").number;
   iisph.min_iterations = count(least);
@@ -115,22 +90,17 @@ void check_time(const SceneValue& root, const SceneValue* method_dt, const std::
   const SceneValue& table = root.at("time");
   const SceneValue *dt = table.find("dt"), *cfl = table.find("cfl");
   const SceneValue *least = table.find("dt_min"), *most = table.find("dt_max");
-  auto together = [&](const SceneValue& other, const std::string& key) {
-    throw refusal(blame({cfl, &other}), "time.cfl", fmt::format("{} together with {}", describe(*cfl), key),
+  if (const SceneValue* other = dt ? dt : method_dt; cfl && other)
+    throw refusal({cfl, other}, fmt::format("{} together with {}", describe(*cfl), other->path),
                   "one of the two");
-  };
-  if (cfl && dt) together(*dt, "time.dt");
-  if (cfl && method_dt) together(*method_dt, method_key);
   for (auto [value, key] : {std::pair{least, "time.dt_min"}, std::pair{most, "time.dt_max"}}) {
     if (cfl && !value)
       throw refusal(cfl->overridden ? cfl->where : table.where, key, "nothing",
                     "a number greater than 0, as time.cfl is set");
-    if (!cfl && value)
-      throw refusal(value->where, key, describe(*value) + " without time.cfl", "the two together");
+    if (!cfl && value) throw refusal({value}, describe(*value) + " without time.cfl", "the two together");
   }
   if (cfl && least->number > most->number)
-    throw refusal(blame({least, most}), "time.dt_min", describe(*least),
-                  "at most time.dt_max, which is " + describe(*most));
+    throw refusal({least, most}, describe(*least), "at most time.dt_max, which is " + describe(*most));
   if (!cfl && !dt && !method_dt)
     throw refusal(table.where, "time.dt", "nothing",
                   fmt::format("a number greater than 0, here or as {}", method_key));
@@ -148,14 +118,11 @@ void read_time(const SceneValue& root, Scene& scene) {
   if (const SceneValue* cfl = table.find("cfl")) {
     scene.adaptive = {cfl->number, table.at("dt_min").number, table.at("dt_max").number};
     dt = table.find("dt_min");
-    scene.dt = scene.adaptive->dt_max;
-    scene.dt_key = "time.dt_min";
-  } else {
-    scene.dt = dt->number;
-    scene.dt_key = method_dt ? method_key : "time.dt";
   }
+  scene.dt = scene.adaptive ? scene.adaptive->dt_max : dt->number;
+  scene.dt_key = dt->path;
   if (!(scene.duration / dt->number <= max_steps))
-    throw refusal(blame({&table.at("duration"), dt}), "time.duration",
+    throw refusal({&table.at("duration"), dt},
                   fmt::format("{}, which is {:.4g} steps of {}", describe(table.at("duration")),
                               scene.duration / dt->number, describe(*dt)),
                   fmt::format("at most {:.0f} steps", max_steps));
@@ -175,39 +142,37 @@ void read_output(const SceneValue& table, Scene& scene) {
 
 // ---- settings
 
-nlohmann::ordered_json to_json(const SceneValue& value, KeyType type) {
+nlohmann::ordered_json to_json(const SceneValue& value, std::string_view path, KeyType type) {
+  if (value.kind == SceneValue::Kind::text) return value.text;
+  if (type == KeyType::integer) return value.integer;
+  if (value.is_number()) return value.number;
   if (value.kind == SceneValue::Kind::array) {
     auto array = nlohmann::ordered_json::array();
-    for (const SceneValue& item : value.items) array.push_back(to_json(item, type));
+    for (const SceneValue& item : value.items) array.push_back(to_json(item, path, type_info(type).element));
     return array;
   }
-  if (value.kind == SceneValue::Kind::text) return value.text;
-  bool integer = type == KeyType::integer || type == KeyType::integers;
-  return integer ? nlohmann::ordered_json(value.integer) : nlohmann::ordered_json(value.number);
+  auto table = nlohmann::ordered_json::object();
+  for (const SceneKey& row : scene_rows()) {
+    if (row.section() != path) continue;
+    if (const SceneValue* member = value.find(row.name()))
+      table[row.name()] = to_json(*member, row.path, row.type);
+    else if (row.path == "time.dt" || row.path == "output.size")
+      table[row.name()] = nullptr;  // keeps the order
+  }
+  return table;
 }
 
-nlohmann::ordered_json to_json(const SceneValue& table, std::string_view section) {
-  auto json = nlohmann::ordered_json::object();
-  for (const SceneKey& key : scene_keys()) {
-    if (section.empty() || key.section() != section) continue;
-    if (const SceneValue* value = table.find(key.name()))
-      json[std::string(key.name())] = to_json(*value, key.type);
-    if (key.path == "time.dt" || key.path == "output.size")
-      json.emplace(key.name(), nullptr);  // keeps the order
-  }
-  for (const SceneSection& inner : scene_sections()) {
-    if (inner.parent() != section) continue;
-    const SceneValue* value = table.find(inner.name());
-    if (!value) continue;
-    auto& place = json[std::string(inner.name())];
-    if (inner.is_array()) {
-      place = nlohmann::ordered_json::array();
-      for (const SceneValue& item : value->items) place.push_back(to_json(item, inner.path));
-    } else {
-      place = to_json(*value, inner.path);
-    }
-  }
-  return json;
+/// The scene as run, as JSON: every key of the tree in the order of the key table, defaults included; numbers
+/// as numbers, length strings as written. `scene` gives what no key says by itself: the time step and the
+/// picture's size.
+std::string settings_text(const SceneValue& root, const Scene& scene) {
+  nlohmann::ordered_json settings = to_json(root, "", KeyType::table);
+  if (scene.adaptive)
+    settings["time"].erase("dt");
+  else
+    settings["time"]["dt"] = scene.dt;
+  settings["output"]["size"] = {scene.image_size.x, scene.image_size.y};
+  return settings.dump();
 }
 
 }  // namespace
@@ -221,10 +186,16 @@ Scene build_scene(const SceneValue& root, const std::string& name, const std::st
   read_particles(root.at("particles"), scene);
   const SceneValue& spacing = root.at("particles").at("spacing");
   ShapeReader reader(spacing);
-  read_domain(root.at("domain"), reader, spacing, scene);
+  std::tie(scene.domain_min, scene.domain_max) = reader.box(root.at("domain"), true);
   read_fluid(root.at("fluid"), reader, scene);
-  if (const SceneValue* boundary = root.find("boundary")) read_boundary(*boundary, reader, scene);
-  if (const SceneValue* viscosity = root.find("viscosity")) read_viscosity(*viscosity, scene);
+  if (const SceneValue* boundary = root.find("boundary")) {
+    read_choice(boundary->at("model"), scene.boundary_model);
+    scene.boundary = reader.boundary(*boundary);
+  }
+  if (const SceneValue* viscosity = root.find("viscosity")) {
+    read_choice(viscosity->at("model"), scene.viscosity_model);
+    scene.viscosity = viscosity->at("coefficient").number;
+  }
   read_pressure(root, scene);
   read_time(root, scene);
   read_output(root.at("output"), scene);
@@ -234,16 +205,6 @@ Scene build_scene(const SceneValue& root, const std::string& name, const std::st
 
 nlohmann::ordered_json settings_of(const Scene& scene) {
   return nlohmann::ordered_json::parse(scene.record.settings);
-}
-
-std::string settings_text(const SceneValue& root, const Scene& scene) {
-  nlohmann::ordered_json settings = to_json(root, "");
-  if (scene.adaptive)
-    settings["time"].erase("dt");
-  else
-    settings["time"]["dt"] = scene.dt;
-  settings["output"]["size"] = {scene.image_size.x, scene.image_size.y};
-  return settings.dump();
 }
 
 }  // namespace sluice

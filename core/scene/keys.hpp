@@ -11,20 +11,34 @@
 
 namespace sluice {
 
-/// What a key's value looks like in TOML. A length is a number or a string such as "240+3h".
+/// What a key's value looks like in TOML; rows of `type_info`.
 enum class KeyType {
-  text,      ///< string
-  number,    ///< integer or float
-  integer,   ///< integer
-  length,    ///< length
-  numbers,   ///< [x, y], two numbers
-  lengths,   ///< [x, y], two lengths
-  integers,  ///< [x, y], two integers
+  text,
+  number,  ///< integer or float
+  integer,
+  length,    ///< number or a string such as "240+3h"
+  numbers,   ///< [x, y]
+  lengths,   ///< [x, y]
+  integers,  ///< [x, y]
   matrix,    ///< [[a, b], [c, d]], rows of numbers
-  points,    ///< [[x, y], [x, y], [x, y], ...], three or more pairs of lengths
+  points,    ///< [[x, y], [x, y], [x, y], ...]
   choice,    ///< one of the names in `choices`
-  choices    ///< array of one or more of the names in `choices`, each at most once
+  choices,   ///< array of names in `choices`, each at most once
+  table,
+  tables  ///< array of tables
 };
+
+struct KeyTypeInfo {
+  std::string_view name;         ///< in the reference
+  std::string_view expectation;  ///< to follow "expected"; {0} is the range, {1} and {2} the choices (or,
+                                 ///< and), {3} the header
+  KeyType element = {};          ///< of an array
+  size_t least = 0, most = 0;    ///< elements; 0 at most: no array
+
+  bool is_array() const { return most > 0; }
+};
+
+const KeyTypeInfo& type_info(KeyType type);
 
 /// Bounds of a number, or of every number in an array. Infinite bounds are none.
 struct KeyRange {
@@ -37,37 +51,25 @@ struct KeyRange {
 /// The fallback of a key that has none and must be given.
 inline constexpr std::string_view required_key = "required";
 
+/// A key, or a table that holds keys.
 struct SceneKey {
-  std::string_view path;  ///< section and name, arrays of tables marked: "fluid.rect[].min"
+  std::string_view path;  ///< section and name, arrays of tables marked: "fluid.rect[].min", "fluid.rect[]"
   KeyType type;
-  std::string_view unit;  ///< in the scene's own units; empty: a pure number or no number
-  std::string_view
-      fallback;  ///< default as TOML text, `required_key`, or empty: may be absent, has no default
-  KeyRange range;
-  std::string_view meaning;                  ///< one line of Markdown
+  std::string_view unit;      ///< in the scene's own units; empty: a pure number or no number
+  std::string_view fallback;  ///< default as TOML text, `required_key`, or empty: has none, may be absent
+  std::string_view meaning;   ///< one line of Markdown
+  KeyRange range = {};
   std::span<const ChoiceInfo> choices = {};  ///< that there are; their meanings follow that of the key
 
-  std::string_view section() const { return path.substr(0, path.rfind('.')); }
-  std::string_view name() const { return path.substr(path.rfind('.') + 1); }
-};
-
-/// Whether a table must be written, is filled in with its defaults, or stays absent when it is not written.
-enum class Presence { required, defaulted, optional };
-
-struct SceneSection {
-  std::string_view path;  ///< "pressure.iisph"; "fluid.rect[]" for an array of tables
-  Presence presence;
-  std::string_view meaning;
-
-  bool is_array() const { return path.ends_with("[]"); }
-  /// Path of the table that holds this one; empty for a table at the top of the file.
-  std::string_view parent() const {
-    return path.find('.') == path.npos ? std::string_view{} : path.substr(0, path.rfind('.'));
+  bool is_array_of_tables() const { return type == KeyType::tables; }
+  /// Path of the table that holds this; empty for a table at the top of the file.
+  std::string_view section() const {
+    return path.substr(0, path.find('.') == path.npos ? 0 : path.rfind('.'));
   }
   /// Last part of the path, without brackets.
   std::string_view name() const {
     std::string_view last = path.substr(path.rfind('.') + 1);
-    return is_array() ? last.substr(0, last.size() - 2) : last;
+    return last.substr(0, last.find('['));
   }
 };
 
@@ -75,16 +77,18 @@ struct SceneSection {
 std::span<const SceneKey> scene_keys();
 
 /// All tables; a table comes before the tables inside it.
-std::span<const SceneSection> scene_sections();
+std::span<const SceneKey> scene_tables();
 
-/// What a value of this key has to be, to follow "expected": "a number greater than 0".
-std::string expectation(const SceneKey& key);
+/// All keys and then all tables.
+std::span<const SceneKey> scene_rows();
 
-/// The same for one element of an array-valued key; for any other key as `expectation`.
-std::string element_expectation(const SceneKey& key);
+/// A table's header in a file: "[pressure.iisph]", "[[fluid.rect]]".
+std::string header(const SceneKey& table);
 
-/// What any length has to be, forms included.
-std::string length_expectation();
+/// What a value of this key has to be, to follow "expected": "a number greater than 0". `type` may be that of
+/// the key's elements instead.
+std::string expectation(const SceneKey& key, KeyType type);
+inline std::string expectation(const SceneKey& key) { return expectation(key, key.type); }
 
 /// Names as a list in a sentence: "a", "b" or "c", quoted.
 std::string join_choices(std::span<const ChoiceInfo> choices, std::string_view last_word = "or");

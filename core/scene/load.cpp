@@ -9,9 +9,7 @@
 #include <fstream>
 #include <optional>
 
-#include "core/scene/build.hpp"
-#include "core/scene/check.hpp"
-#include "core/scene/overrides.hpp"
+#include "core/scene/passes.hpp"
 #include "core/scene/tree.hpp"
 
 namespace fs = std::filesystem;

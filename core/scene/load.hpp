@@ -12,7 +12,7 @@
 namespace sluice {
 
 /// Loads a scene from the file at a path, or by the name of a scene that ships with Sluice. `overrides` are
-/// "KEY=VALUE" texts, applied before anything is checked (core/scene/overrides.hpp).
+/// "KEY=VALUE" texts, applied before anything is checked (core/scene/passes.hpp).
 /// Throws InputError, with one line that begins "FILE:LINE:COLUMN: key: " for a mistake in the file and
 /// "--set KEY: key: " for one in an override.
 Scene load_scene(const std::string& scene, std::span<const std::string> overrides = {});

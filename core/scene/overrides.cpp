@@ -1,11 +1,11 @@
-// Overrides on the tree.
-#include "core/scene/overrides.hpp"
-
+// --set KEY=VALUE: changes to a scene made before it is checked.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <charconv>
 #include <optional>
+
+#include "core/scene/passes.hpp"
 
 namespace sluice {
 namespace {

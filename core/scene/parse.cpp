@@ -16,30 +16,33 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <functional>
 #include <utility>
 
 namespace sluice {
 namespace {
 
-using Locate = std::function<std::string(const toml::source_position&)>;
-
+/// Where values come from: a file, in which they have places, or something else with a name.
 struct Origin {
-  Locate locate;
+  std::string name;
+  bool file = false;
   uint32_t set = 0;
+
+  std::string where(toml::source_position at) const {
+    return file ? fmt::format("{}:{}:{}", name, std::max(at.line, 1u), std::max(at.column, 1u)) : name;
+  }
 };
 
 SceneValue convert(const toml::node& node, const Origin& origin) {
   SceneValue value;
   toml::source_position begin = node.source().begin;
-  value.where = origin.locate(begin);
+  value.where = origin.where(begin);
   value.order = {origin.set, begin.line, begin.column};
   value.overridden = origin.set > 0;
   using Kind = SceneValue::Kind;
   if (const toml::table* table = node.as_table()) {
     for (auto&& [key, child] : *table)
       value.members.push_back(
-          {unshield(key.str()), origin.locate(key.source().begin), convert(child, origin)});
+          {unshield(key.str()), origin.where(key.source().begin), convert(child, origin)});
     std::ranges::stable_sort(value.members, {}, [](const auto& member) { return member.value.order; });
   } else if (const toml::array* array = node.as_array()) {
     value.kind = Kind::array;
@@ -67,49 +70,39 @@ SceneValue convert(const toml::node& node, const Origin& origin) {
 
 SceneValue parse_toml(std::string_view text, const std::string& file) {
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // a byte order mark takes no column
-  Locate locate = [name = one_line(file)](const toml::source_position& at) {
-    return fmt::format("{}:{}:{}", name, std::max(at.line, 1u), std::max(at.column, 1u));
-  };
-  if (auto problem = scan_toml(text))
-    throw InputError(fmt::format("{}: {}", locate({problem->line, problem->column}), problem->message));
+  const Origin origin{one_line(file), true};
+  const ScannedToml scanned = scan_toml(text);
+  if (!scanned.problem.empty())
+    throw InputError(fmt::format("{}: {}", origin.where({scanned.line, scanned.column}), scanned.problem));
   try {
-    SceneValue root = convert(toml::parse(shield(text)), {locate, 0});
-    root.where = locate({1, 1});
+    SceneValue root = convert(toml::parse(scanned.shielded), origin);
+    root.where = origin.where({1, 1});
     return root;
   } catch (const toml::parse_error& error) {
     throw InputError(
-        one_line(fmt::format("{}: {}", locate(error.source().begin), unshield(error.description()))));
+        one_line(fmt::format("{}: {}", origin.where(error.source().begin), unshield(error.description()))));
   }
 }
 
 SceneValue parse_override_value(std::string_view text, const std::string& key, uint32_t number) {
-  std::string where = "--set " + key;
-  Locate locate = [&](const toml::source_position&) { return where; };
-  std::string line = fmt::format("value = {}", text);
-  if (!scan_toml(line)) {
+  const Origin origin{"--set " + key, false, number};
+  const ScannedToml scanned = scan_toml(fmt::format("value = {}", text));
+  if (scanned.problem.empty()) {
     try {
-      SceneValue root = convert(toml::parse(shield(line)), {locate, number});
+      SceneValue root = convert(toml::parse(scanned.shielded), origin);
       if (root.members.size() == 1) return std::move(root.members.front().value);
     } catch (const toml::parse_error&) {  // a bare string, then
     }
   }
-  if (!is_utf8(text))
-    throw InputError(one_line(where + ": found text that is not UTF-8, expected KEY=VALUE in UTF-8"));
-  SceneValue value;
-  value.kind = SceneValue::Kind::text;
-  value.text = text;
-  value.where = where;
-  value.order.set = number;
-  value.overridden = true;
-  return value;
+  if (!scanned.utf8)
+    throw InputError(one_line(origin.name + ": found text that is not UTF-8, expected KEY=VALUE in UTF-8"));
+  return convert(toml::value<std::string>(std::string(text)), origin);
 }
 
 SceneValue parse_default(std::string_view text, const SceneValue& table) {
-  Locate locate = [&](const toml::source_position&) { return table.where; };
-  SceneValue root = convert(toml::parse(fmt::format("value = {}", text)), {locate, 0});
+  SceneValue root = convert(toml::parse(fmt::format("value = {}", text)), {table.where});
   SceneValue value = std::move(root.members.front().value);
   value.order = table.order;
-  value.overridden = false;
   value.defaulted = true;
   return value;
 }

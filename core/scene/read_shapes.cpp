@@ -22,6 +22,8 @@ glm::dmat2 matrix(const SceneValue& rows) {
   return {Vec2{first.x, second.x}, Vec2{first.y, second.y}};
 }
 
+std::string describe(Vec2 point) { return fmt::format("({}, {})", point.x, point.y); }
+
 bool on_a_line(const std::vector<Vec2>& points) {
   auto far = std::ranges::max_element(points, {}, [&](Vec2 p) { return glm::distance(p, points[0]); });
   Vec2 along = *far - points[0];
@@ -34,120 +36,83 @@ bool on_a_line(const std::vector<Vec2>& points) {
 
 }  // namespace
 
-const std::string& blame(std::initializer_list<const SceneValue*> values) {
-  for (const SceneValue* value : values)
-    if (value && value->overridden) return value->where;
-  for (const SceneValue* value : values)
-    if (value && !value->defaulted) return value->where;
-  return (*values.begin())->where;
-}
-
 Vec2 numbers(const SceneValue& pair) { return {pair.items[0].number, pair.items[1].number}; }
 
-std::string describe(Vec2 point) { return fmt::format("({}, {})", point.x, point.y); }
-
-double ShapeReader::length(const SceneValue& value, const std::string& path) const {
+double ShapeReader::length(const SceneValue& value) const {
   double result = value.is_number() ? value.number : parse_length(value.text)->value(h_);
   if (!std::isfinite(result))
-    throw refusal(blame({&value, &spacing_}), path,
+    throw refusal({&value, &spacing_},
                   fmt::format("{}, which is {} with h = {}", describe(value), result, h_), "a finite length");
   return result;
 }
 
-Vec2 ShapeReader::point(const SceneValue& value, const std::string& path) const {
-  return {length(value.items[0], path + ".0"), length(value.items[1], path + ".1")};
+std::pair<Vec2, Vec2> ShapeReader::box(const SceneValue& table, bool finite) const {
+  const Vec2 min = point(table.at("min")), max = point(table.at("max")), size = max - min;
+  if (!(size.x > 0 && size.y > 0) || (finite && !(std::isfinite(size.x) && std::isfinite(size.y))))
+    throw refusal(
+        {&table.at("max"), &table.at("min"), &spacing_}, describe(max),
+        fmt::format("more than min {} both ways{}", describe(min), finite ? ", by a finite length" : ""));
+  return {min, max};
 }
 
-std::vector<ShapeReader::Place> ShapeReader::places(const SceneValue& table, const std::string& path) {
-  std::vector<Place> all;
-  for (const SceneValue::Member& member : table.members) {
-    if (member.value.kind != SceneValue::Kind::array) continue;
-    if (member.value.items.empty() || member.value.items[0].kind != SceneValue::Kind::table) continue;
-    for (size_t i = 0; i < member.value.items.size(); ++i)
-      all.push_back({&member.value.items[i], member.name, fmt::format("{}.{}.{}", path, member.name, i)});
-  }
-  std::ranges::stable_sort(all, {}, [](const Place& place) { return place.table->order; });
-  return all;
-}
-
-void ShapeReader::add_samples(const Place& place, double count) {
+void ShapeReader::add_samples(const SceneValue& table, double count) {
   samples_ += count;
   if (!(samples_ <= max_samples))
-    throw refusal(blame({&spacing_, place.table}), "particles.spacing",
-                  fmt::format("{}, which makes {:.4g} samples up to {}", h_, samples_, place.path),
+    throw refusal({&spacing_, &table},
+                  fmt::format("{}, which makes {:.4g} samples up to {}", h_, samples_, table.path),
                   fmt::format("at most {:.0f} in all shapes together; use a larger spacing or smaller shapes",
                               max_samples));
 }
 
-Rect ShapeReader::rect(const Place& place) {
-  const SceneValue& table = *place.table;
-  const SceneValue* max = table.find("max");
-  const SceneValue* count = table.find("count");
-  if (max && count)
-    throw refusal(blame({count, max}), place.path + ".count", describe(*count) + " together with max",
-                  "one of the two");
+Rect ShapeReader::rect(const SceneValue& table) {
+  const SceneValue *max = table.find("max"), *count = table.find("count");
+  if (max && count) throw refusal({count, max}, describe(*count) + " together with max", "one of the two");
   if (!max && !count)
-    throw refusal(table.where, place.path + ".max", "nothing",
+    throw refusal(table.where, table.path + ".max", "nothing",
                   "an array of two lengths, or count in its place");
-  Rect rect{point(table.at("min"), place.path + ".min"), {}, 0};
-  Vec2 n = count ? numbers(*count) : Vec2{};
-  if (max) {
-    Vec2 corner = point(*max, place.path + ".max");
-    n = glm::ceil((corner - rect.min) / h_ - 1e-6);
-    if (!(n.x >= 1 && n.y >= 1))
-      throw refusal(blame({max, &table.at("min"), &spacing_}), place.path + ".max", describe(corner),
-                    fmt::format("more than min {} both ways", describe(rect.min)));
-  }
-  add_samples(place, n.x * n.y);
+  Rect rect{point(table.at("min")), {}, 0};
+  Vec2 n = count ? numbers(*count) : glm::ceil((point(table.at("max")) - rect.min) / h_ - 1e-6);
+  if (!(n.x >= 1 && n.y >= 1))  // only without a count
+    throw refusal({max, &table.at("min"), &spacing_}, describe(point(table.at("max"))),
+                  fmt::format("more than min {} both ways", describe(rect.min)));
+  add_samples(table, n.x * n.y);
   rect.count = {static_cast<uint32_t>(n.x), static_cast<uint32_t>(n.y)};
   if (table.find("layers")) rect.layers = layers_of(table);
   return rect;
 }
 
-Disc ShapeReader::disc(const Place& place) {
-  const SceneValue& radius = place.table->at("radius");
-  Disc disc{point(place.table->at("centre"), place.path + ".centre"), length(radius, place.path + ".radius")};
+Disc ShapeReader::disc(const SceneValue& table) {
+  const SceneValue& radius = table.at("radius");
+  Disc disc{point(table.at("centre")), length(radius)};
   if (!(disc.radius > 0))
-    throw refusal(blame({&radius, &spacing_}), place.path + ".radius",
+    throw refusal({&radius, &spacing_},
                   describe(radius) + (radius.is_number() ? "" : fmt::format(", which is {}", disc.radius)),
                   "a length greater than 0");
   double across = 2 * disc.radius / h_ + 1;
-  add_samples(place, across * across);
+  add_samples(table, across * across);
   return disc;
 }
 
-Polygon ShapeReader::polygon(const Place& place) {
-  const SceneValue& points = place.table->at("points");
+Polygon ShapeReader::polygon(const SceneValue& table, bool needs_centre) {
+  const SceneValue& points = table.at("points");
   Polygon polygon;
-  for (size_t i = 0; i < points.items.size(); ++i)
-    polygon.points.push_back(point(points.items[i], fmt::format("{}.points.{}", place.path, i)));
+  for (const SceneValue& item : points.items) polygon.points.push_back(point(item));
   if (on_a_line(polygon.points))
-    throw refusal(blame({&points, &spacing_}), place.path + ".points", "points on one line",
-                  "corners that enclose an area");
+    throw refusal({&points, &spacing_}, "points on one line", "corners that enclose an area");
   Vec2 low = polygon.points[0], high = low;
   for (Vec2 p : polygon.points) low = glm::min(low, p), high = glm::max(high, p);
   Vec2 n = (high - low) / h_ + 1.0;
-  add_samples(place, n.x * n.y);
+  add_samples(table, n.x * n.y);
+  const Vec2 centre = needs_centre ? centre_of(polygon, h_) : low;
+  if (!std::isfinite(centre.x) || !std::isfinite(centre.y))
+    throw refusal({&points, &spacing_}, "corners with edges that cross, around nothing on balance",
+                  "corners in order around an area");
   return polygon;
 }
 
-Polygon ShapeReader::fluid_polygon(const Place& place) {
-  Polygon made = polygon(place);
-  const Vec2 centre = centre_of(made, h_);
-  if (!std::isfinite(centre.x) || !std::isfinite(centre.y))
-    throw refusal(blame({&place.table->at("points"), &spacing_}), place.path + ".points",
-                  "corners with edges that cross, around nothing on balance",
-                  "corners in order around an area");
-  return made;
-}
-
-Container ShapeReader::container(const Place& place) {
-  const SceneValue& table = *place.table;
-  Container box{point(table.at("min"), place.path + ".min"), point(table.at("max"), place.path + ".max"),
-                layers_of(table)};
-  if (!(box.max.x > box.min.x && box.max.y > box.min.y))
-    throw refusal(blame({&table.at("max"), &table.at("min"), &spacing_}), place.path + ".max",
-                  describe(box.max), fmt::format("more than min {} both ways", describe(box.min)));
+Container ShapeReader::container(const SceneValue& table) {
+  auto [min, max] = box(table);
+  Container box{min, max, layers_of(table)};
   for (const SceneValue& side : table.at("sides").items) {
     switch (value_named<Side>(side.text).value()) {
       case Side::left: box.left = true; break;
@@ -157,49 +122,51 @@ Container ShapeReader::container(const Place& place) {
     }
   }
   Vec2 n = (box.max - box.min) / h_ + 1.0;
-  add_samples(place, box.layers * (n.y * (box.left + box.right) + n.x * (box.bottom + box.top)));
+  add_samples(table, box.layers * (n.y * (box.left + box.right) + n.x * (box.bottom + box.top)));
   return box;
 }
 
-Segment ShapeReader::segment(const Place& place) {
-  const SceneValue& table = *place.table;
-  Segment wall{point(table.at("from"), place.path + ".from"), point(table.at("to"), place.path + ".to"),
-               layers_of(table)};
+Segment ShapeReader::segment(const SceneValue& table) {
+  Segment wall{point(table.at("from")), point(table.at("to")), layers_of(table)};
   if (wall.from == wall.to)
-    throw refusal(blame({&table.at("to"), &table.at("from"), &spacing_}), place.path + ".to",
-                  describe(wall.to), "another point than from");
-  add_samples(place, wall.layers * (glm::distance(wall.from, wall.to) / h_ + 1));
+    throw refusal({&table.at("to"), &table.at("from"), &spacing_}, describe(wall.to),
+                  "another point than from");
+  add_samples(table, wall.layers * (glm::distance(wall.from, wall.to) / h_ + 1));
   return wall;
 }
 
-std::vector<FluidShape> ShapeReader::fluid(const SceneValue& table) {
-  std::vector<FluidShape> shapes;
-  for (const Place& place : places(table, "fluid")) {
-    FluidShape& shape = shapes.emplace_back();
-    if (place.kind == "rect") shape.geometry = rect(place);
-    if (place.kind == "disc") shape.geometry = disc(place);
-    if (place.kind == "polygon") shape.geometry = fluid_polygon(place);
-    shape.velocity = numbers(place.table->at("velocity"));
-    shape.velocity_gradient = matrix(place.table->at("velocity_gradient"));
-    shape.key = place.path;
-    shape.where = place.table->where;
+template <class Shape>
+std::vector<Shape> ShapeReader::shapes(const SceneValue& parent) {
+  std::vector<std::pair<std::string_view, const SceneValue*>> tables;  // with their kinds
+  for (const SceneValue::Member& member : parent.members)
+    for (const SceneValue& item : member.value.items)
+      if (item.kind == SceneValue::Kind::table) tables.emplace_back(member.name, &item);
+  std::ranges::stable_sort(tables, {}, [](const auto& table) { return table.second->order; });
+
+  constexpr bool fluid = std::is_same_v<Shape, FluidShape>;
+  std::vector<Shape> shapes;
+  for (auto [kind, table] : tables) {
+    Shape& shape = shapes.emplace_back();
+    shape.key = table->path;
+    shape.where = table->where;
+    if (kind == "rect") shape.geometry = rect(*table);
+    if (kind == "disc") shape.geometry = disc(*table);
+    if (kind == "polygon") shape.geometry = polygon(*table, fluid);
+    if constexpr (fluid) {
+      shape.velocity = numbers(table->at("velocity"));
+      shape.velocity_gradient = matrix(table->at("velocity_gradient"));
+    } else {
+      if (kind == "container") shape.geometry = container(*table);
+      if (kind == "segment") shape.geometry = segment(*table);
+    }
   }
   return shapes;
 }
 
+std::vector<FluidShape> ShapeReader::fluid(const SceneValue& table) { return shapes<FluidShape>(table); }
+
 std::vector<BoundaryShape> ShapeReader::boundary(const SceneValue& table) {
-  std::vector<BoundaryShape> shapes;
-  for (const Place& place : places(table, "boundary")) {
-    BoundaryShape& shape = shapes.emplace_back();
-    if (place.kind == "rect") shape.geometry = rect(place);
-    if (place.kind == "disc") shape.geometry = disc(place);
-    if (place.kind == "polygon") shape.geometry = polygon(place);
-    if (place.kind == "container") shape.geometry = container(place);
-    if (place.kind == "segment") shape.geometry = segment(place);
-    shape.key = place.path;
-    shape.where = place.table->where;
-  }
-  return shapes;
+  return shapes<BoundaryShape>(table);
 }
 
 }  // namespace sluice

@@ -1,7 +1,7 @@
 // The shapes of a checked scene tree, [[fluid.*]] and [[boundary.*]], as values in numbers.
 #pragma once
 
-#include <initializer_list>
+#include <utility>
 #include <vector>
 
 #include "core/scene/scene.hpp"
@@ -9,51 +9,41 @@
 
 namespace sluice {
 
-/// Reads shapes, counts their samples, and keeps the sum over all shapes read within what can be numbered.
+/// Reads lengths and shapes, and keeps the samples of all shapes read within what can be numbered. All throw
+/// InputError.
 class ShapeReader {
  public:
   /// `spacing` is the value of particles.spacing; it must outlive the reader.
   explicit ShapeReader(const SceneValue& spacing) : spacing_(spacing), h_(spacing.number) {}
 
-  /// All shapes of a [fluid] table in the order of the file. Throws InputError.
+  /// All shapes of a [fluid] or a [boundary] table in the order of the file.
   std::vector<FluidShape> fluid(const SceneValue& table);
-
-  /// All shapes of a [boundary] table in the order of the file. Throws InputError.
   std::vector<BoundaryShape> boundary(const SceneValue& table);
 
-  /// The point [x, y] of a key. Throws InputError when it isn't finite.
-  Vec2 point(const SceneValue& value, const std::string& path) const;
+  /// The value of a point [x, y].
+  Vec2 point(const SceneValue& value) const { return {length(value.items[0]), length(value.items[1])}; }
+
+  /// The points `min` and `max` of a table, of which `max` has to be beyond it both ways, and when asked not
+  /// infinitely far.
+  std::pair<Vec2, Vec2> box(const SceneValue& table, bool finite = false) const;
 
  private:
-  struct Place {
-    const SceneValue* table;
-    std::string kind;  ///< "rect"
-    std::string path;  ///< "fluid.rect.0"
-  };
-  static std::vector<Place> places(const SceneValue& table, const std::string& path);
-
-  double length(const SceneValue& value, const std::string& path) const;
-  Rect rect(const Place& place);
-  Disc disc(const Place& place);
-  Polygon polygon(const Place& place);
-  Polygon fluid_polygon(const Place& place);  ///< one with a centre of area
-  Container container(const Place& place);
-  Segment segment(const Place& place);
-  void add_samples(const Place& place, double count);
+  template <class Shape>
+  std::vector<Shape> shapes(const SceneValue& parent);
+  double length(const SceneValue& value) const;
+  Rect rect(const SceneValue& table);
+  Disc disc(const SceneValue& table);
+  Polygon polygon(const SceneValue& table, bool needs_centre);
+  Container container(const SceneValue& table);
+  Segment segment(const SceneValue& table);
+  void add_samples(const SceneValue& table, double count);
 
   const SceneValue& spacing_;
   double h_;
   double samples_ = 0;  ///< so far; an upper bound for discs and polygons
 };
 
-/// The place to name for a mistake in which several values take part: the first that was overridden, else the
-/// first that was written, else the first.
-const std::string& blame(std::initializer_list<const SceneValue*> values);
-
 /// The value of a checked [x, y] of numbers.
 Vec2 numbers(const SceneValue& pair);
-
-/// "(x, y)" for messages.
-std::string describe(Vec2 point);
 
 }  // namespace sluice

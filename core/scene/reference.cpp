@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 #include <vector>
 
@@ -48,27 +49,25 @@ std::string range_text(const KeyRange& range) {
   return text;
 }
 
-std::string length_text(const KeyRange& range) {
-  return fmt::format("a length{} (a number, \"a\", \"bh\", \"a+bh\" or \"a-bh\", with h the spacing)",
-                     range_text(range));
-}
+constexpr size_t many = 100'000;
 
-std::string_view type_name(KeyType type) {
-  switch (type) {
-    case KeyType::text: return "string";
-    case KeyType::number: return "number";
-    case KeyType::integer: return "integer";
-    case KeyType::length: return "length";
-    case KeyType::numbers: return "[number, number]";
-    case KeyType::lengths: return "point";
-    case KeyType::integers: return "[integer, integer]";
-    case KeyType::matrix: return "2 rows of 2 numbers";
-    case KeyType::points: return "3 or more points";
-    case KeyType::choice: return "string";
-    case KeyType::choices: return "strings";
-  }
-  return "";
-}
+// in the order of KeyType
+constexpr std::array types{
+    KeyTypeInfo{"string", "a string"},
+    KeyTypeInfo{"number", "a number{0}"},
+    KeyTypeInfo{"integer", "an integer{0}"},
+    KeyTypeInfo{"length", R"(a length{0} (a number, "a", "bh", "a+bh" or "a-bh", with h the spacing))"},
+    KeyTypeInfo{"[number, number]", "an array of two numbers", KeyType::number, 2, 2},
+    KeyTypeInfo{"point", "an array of two lengths", KeyType::length, 2, 2},
+    KeyTypeInfo{"[integer, integer]", "an array of two integers", KeyType::integer, 2, 2},
+    KeyTypeInfo{"2 rows of 2 numbers", "two rows of two numbers, [[a, b], [c, d]]", KeyType::numbers, 2, 2},
+    KeyTypeInfo{"3 or more points", "an array of three or more points [x, y]", KeyType::lengths, 3, many},
+    KeyTypeInfo{"string", "{1}"},
+    KeyTypeInfo{"strings", "an array of one or more of {2}, each at most once", KeyType::choice, 1, many},
+    KeyTypeInfo{"table", "a table {3}"},
+    KeyTypeInfo{"tables", "an array of tables, {3}", KeyType::table, 0, many},
+};
+static_assert(types.size() == size_t(KeyType::tables) + 1);
 
 std::string allowed_text(const SceneKey& key) {
   std::string text;
@@ -83,12 +82,10 @@ std::string allowed_text(const SceneKey& key) {
 /// What the key means, and each of its choices.
 std::string meaning_text(const SceneKey& key) {
   std::string text(key.meaning);
+  std::string_view between = " ";
   for (const ChoiceInfo& choice : key.choices) {
-    text += fmt::format("{}\"{}\": {}",
-                        text.empty()                    ? ""
-                        : &choice == key.choices.data() ? " "
-                                                        : "; ",
-                        choice.name, choice.meaning);
+    text += fmt::format("{}\"{}\": {}", between, choice.name, choice.meaning);
+    between = "; ";
   }
   return key.choices.empty() ? text : text + '.';
 }
@@ -98,16 +95,13 @@ std::string default_text(const SceneKey& key) {
   return key.fallback.empty() ? "" : fmt::format("`{}`", key.fallback);
 }
 
-std::string section_text(const SceneSection& section) {
-  bool array = section.is_array();
-  std::string_view path = array ? section.path.substr(0, section.path.size() - 2) : section.path;
-  std::string_view presence = section.presence == Presence::required ? "Required. " : "";
-  std::string text = fmt::format("\n## {}{}{}\n\n{}{}\n\n", array ? "[[" : "[", path, array ? "]]" : "]",
-                                 presence, section.meaning);
+std::string section_text(const SceneKey& table) {
+  std::string text = fmt::format("\n## {}\n\n{}{}\n\n", header(table),
+                                 table.fallback == required_key ? "Required. " : "", table.meaning);
   text += "| key | type | unit | default | allowed | meaning |\n|---|---|---|---|---|---|\n";
   for (const SceneKey& key : scene_keys()) {
-    if (key.section() != section.path) continue;
-    text += fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", key.name(), type_name(key.type), key.unit,
+    if (key.section() != table.path) continue;
+    text += fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", key.name(), type_info(key.type).name, key.unit,
                         default_text(key), allowed_text(key), meaning_text(key));
   }
   return text;
@@ -137,56 +131,33 @@ std::string join_choices(std::span<const ChoiceInfo> choices, std::string_view l
   return text;
 }
 
-std::string length_expectation() { return length_text({}); }
+const KeyTypeInfo& type_info(KeyType type) { return types.at(size_t(type)); }
 
-std::string element_expectation(const SceneKey& key) {
-  switch (key.type) {
-    case KeyType::numbers: return "a number" + range_text(key.range);
-    case KeyType::integers: return "an integer" + range_text(key.range);
-    case KeyType::lengths: return length_text(key.range);
-    case KeyType::matrix: return "an array of two numbers";
-    case KeyType::points: return "an array of two lengths";
-    case KeyType::choices: return join_choices(key.choices);
-    default: return expectation(key);
-  }
+std::string header(const SceneKey& table) {
+  const std::string_view path = table.path.substr(0, table.path.find('['));
+  return fmt::format(fmt::runtime(table.is_array_of_tables() ? "[[{}]]" : "[{}]"), path);
 }
 
-std::string expectation(const SceneKey& key) {
-  switch (key.type) {
-    case KeyType::text: return "a string";
-    case KeyType::number: return "a number" + range_text(key.range);
-    case KeyType::integer: return "an integer" + range_text(key.range);
-    case KeyType::length: return length_text(key.range);
-    case KeyType::numbers: return "an array of two numbers";
-    case KeyType::lengths: return "an array of two lengths";
-    case KeyType::integers: return "an array of two integers";
-    case KeyType::matrix: return "two rows of two numbers, [[a, b], [c, d]]";
-    case KeyType::points: return "an array of three or more points [x, y]";
-    case KeyType::choice: return join_choices(key.choices);
-    case KeyType::choices:
-      return fmt::format("an array of one or more of {}, each at most once",
-                         join_choices(key.choices, "and"));
-  }
-  return "";
+std::string expectation(const SceneKey& key, KeyType type) {
+  return fmt::format(fmt::runtime(type_info(type).expectation), range_text(key.range),
+                     join_choices(key.choices), join_choices(key.choices, "and"), header(key));
 }
 
 std::string nearest_key(std::string_view section, std::string_view unknown) {
   unknown = unknown.substr(0, 100);
   std::string nearest, elsewhere;
   size_t least = ~size_t{0};
-  auto consider = [&](std::string_view holder, std::string_view name, std::string_view path) {
-    size_t distance = edit_distance(unknown, name);
-    if (holder == section && distance < least) least = distance, nearest = name;
-    if (distance == 0 && elsewhere.empty()) elsewhere = path;
-  };
-  for (const SceneKey& key : scene_keys()) consider(key.section(), key.name(), key.path);
-  for (const SceneSection& s : scene_sections()) consider(s.parent(), s.name(), s.path);
+  for (const SceneKey& row : scene_rows()) {
+    size_t distance = edit_distance(unknown, row.name());
+    if (row.section() == section && distance < least) least = distance, nearest = row.name();
+    if (distance == 0 && elsewhere.empty()) elsewhere = row.path;
+  }
   return least > 2 && !elsewhere.empty() ? elsewhere : nearest;
 }
 
 std::string key_reference() {
   std::string text(introduction);
-  for (const SceneSection& section : scene_sections()) text += section_text(section);
+  for (const SceneKey& table : scene_tables()) text += section_text(table);
   return text;
 }
 

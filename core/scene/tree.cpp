@@ -54,6 +54,14 @@ std::string one_line(std::string text) {
   return text;
 }
 
+InputError refusal(std::initializer_list<const SceneValue*> parts, const std::string& found,
+                   const std::string& expected) {
+  auto blamed = std::ranges::find_if(parts, &SceneValue::overridden);
+  if (blamed == parts.end()) blamed = std::ranges::find(parts, false, &SceneValue::defaulted);
+  if (blamed == parts.end()) blamed = parts.begin();
+  return refusal((*blamed)->where, (*parts.begin())->path, found, expected);
+}
+
 InputError refusal(const std::string& where, const std::string& key, const std::string& found,
                    const std::string& expected) {
   return InputError(one_line(fmt::format("{}: {}: found {}, expected {}", where, key, found, expected)));

@@ -1,9 +1,10 @@
 // A TOML document as a plain tree in which every value knows where it came from: a place in the file or a
-// --set override. All of check.cpp, overrides.cpp and build.cpp work on it; only parse.cpp knows the parser.
+// --set override. The passes (passes.hpp) work on it; only parse.cpp knows the parser.
 #pragma once
 
 #include <compare>
 #include <cstdint>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,6 +33,7 @@ struct SceneValue {
   std::vector<SceneValue> items;  ///< of an array
   std::vector<Member> members;    ///< of a table, in order of appearance
 
+  std::string path;   ///< in this scene, "fluid.rect.0.min"; set by check_scene
   std::string where;  ///< "FILE:LINE:COLUMN" or "--set KEY"
   SceneOrder order;
   bool overridden = false;  ///< from --set
@@ -69,6 +71,11 @@ std::string describe(const SceneValue& value);
 
 /// A message on one line: control characters are replaced by spaces.
 std::string one_line(std::string text);
+
+/// The error for a value, the first of those that take part in the mistake. It names the place of the first
+/// that was overridden, else of the first that was written, else of the first.
+InputError refusal(std::initializer_list<const SceneValue*> parts, const std::string& found,
+                   const std::string& expected);
 
 /// The error "WHERE: KEY: found FOUND, expected EXPECTED".
 InputError refusal(const std::string& where, const std::string& key, const std::string& found,

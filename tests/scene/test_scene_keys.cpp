@@ -24,11 +24,11 @@ std::string read_project_file(const std::string& path) {
 
 TEST(SceneKeys, EveryKeyIsInAKnownSectionOnce) {
   std::set<std::string_view> sections, keys;
-  for (const SceneSection& section : scene_sections()) {
-    EXPECT_TRUE(section.parent().empty() || sections.contains(section.parent())) << section.path;
+  for (const SceneKey& section : scene_tables()) {
+    EXPECT_TRUE(section.section().empty() || sections.contains(section.section())) << section.path;
     EXPECT_TRUE(sections.insert(section.path).second) << section.path;
     EXPECT_FALSE(section.meaning.empty()) << section.path;
-    EXPECT_FALSE(section.is_array() && section.presence != Presence::optional) << section.path;
+    EXPECT_FALSE(section.is_array_of_tables() && !section.fallback.empty()) << section.path;
   }
   for (const SceneKey& key : scene_keys()) {
     EXPECT_TRUE(sections.contains(key.section())) << key.path;
@@ -82,9 +82,9 @@ TEST(SceneKeys, TheDocumentIsTheReference) {
 
 TEST(SceneKeys, TheReferenceNamesEverySectionAndKey) {
   std::string reference = key_reference();
-  for (const SceneSection& section : scene_sections()) {
+  for (const SceneKey& section : scene_tables()) {
     std::string path(section.path.substr(0, section.path.find("[]")));
-    std::string header = section.is_array() ? "## [[" + path + "]]\n" : "## [" + path + "]\n";
+    std::string header = section.is_array_of_tables() ? "## [[" + path + "]]\n" : "## [" + path + "]\n";
     EXPECT_NE(reference.find(header), std::string::npos) << header;
   }
   size_t rows = 0;
@@ -131,7 +131,7 @@ TEST(SceneKeys, NearestKey) {
 TEST(SceneKeys, Expectations) {
   auto with_range = [](KeyType type, KeyRange range) {
     return expectation(
-        SceneKey{.path = "a.b", .type = type, .unit = "", .fallback = "", .range = range, .meaning = ""});
+        SceneKey{.path = "a.b", .type = type, .unit = "", .fallback = "", .meaning = "", .range = range});
   };
   EXPECT_EQ(with_range(KeyType::number, {}), "a number");
   EXPECT_EQ(with_range(KeyType::number, {.low = 0, .low_excluded = true}), "a number greater than 0");

@@ -47,6 +47,8 @@ std::string good_value(const SceneKey& key, Dice& dice) {
     case KeyType::matrix: return "[[0, 1], [2, 3]]";
     case KeyType::points: return "[[0, 0], [99, 0], [0, \"9h\"]]";
     case KeyType::choice: return std::string(dice.of(key.choices).name);
+    case KeyType::table:
+    case KeyType::tables: return "{}";
     case KeyType::choices: return fmt::format("[\"{}\"]", dice.of(key.choices).name);
   }
   return "";
