@@ -1,4 +1,4 @@
-// Reading of shapes: lengths in numbers, counts, and the checks that need both.
+// Lengths in numbers, shapes with their counts, and the checks that need both.
 #include "core/scene/read_shapes.hpp"
 
 #include <fmt/format.h>
