@@ -35,22 +35,12 @@ void read_particles(const SceneValue& table, Scene& scene) {
                   "a mass rest_density h² within the range of numbers");
 }
 
-void read_fluid(const SceneValue& table, ShapeReader& reader, Scene& scene) {
+void read_fluid(const SceneValue& table, Scene& scene) {
   scene.gravity = numbers(table.at("gravity"));
   scene.central_force = table.at("central_force").number;
-  scene.centre = reader.point(table.at("centre"));
   scene.jitter = table.at("jitter").number;
   scene.seed = static_cast<uint64_t>(table.at("seed").integer);
   scene.relax = count(table.at("relax"));
-  scene.fluid = reader.fluid(table);
-  if (scene.fluid.empty()) {
-    const std::string* where = &table.where;
-    for (const SceneValue::Member& shapes : table.members)  // emptied by --set fluid.rect=[]
-      if (shapes.value.overridden && shapes.value.kind == SceneValue::Kind::array &&
-          shapes.value.items.empty())
-        where = &shapes.value.where;
-    throw refusal(*where, "fluid", "no fluid", "at least one shape, such as [[fluid.rect]]");
-  }
 }
 
 void read_iisph(const SceneValue& table, Iisph& iisph) {
@@ -184,14 +174,10 @@ Scene build_scene(const SceneValue& root, const std::string& name, const std::st
   scene.title = root.at("scene").at("title").text;
   scene.source = root.at("scene").at("source").text;
   read_particles(root.at("particles"), scene);
-  const SceneValue& spacing = root.at("particles").at("spacing");
-  ShapeReader reader(spacing);
-  std::tie(scene.domain_min, scene.domain_max) = reader.box(root.at("domain"), true);
-  read_fluid(root.at("fluid"), reader, scene);
-  if (const SceneValue* boundary = root.find("boundary")) {
+  read_fluid(root.at("fluid"), scene);
+  read_lengths(root, scene);
+  if (const SceneValue* boundary = root.find("boundary"))
     read_choice(boundary->at("model"), scene.boundary_model);
-    scene.boundary = reader.boundary(*boundary);
-  }
   if (const SceneValue* viscosity = root.find("viscosity")) {
     read_choice(viscosity->at("model"), scene.viscosity_model);
     scene.viscosity = viscosity->at("coefficient").number;

@@ -52,6 +52,7 @@ bool fits(const SceneValue& value, const SceneKey& key, KeyType type) {
 
 void check_table(SceneValue& table, std::string_view section);
 
+/// Checks a value and what is in it against the key, of whose elements `type` may be.
 void check_value(SceneValue& value, const SceneKey& key, KeyType type) {
   if (!fits(value, key, type)) {
     std::string expected = expectation(key, type);
@@ -80,7 +81,7 @@ void add_missing(SceneValue& table, const SceneKey& key) {
   check_value(table.members.back().value, key, key.type);
 }
 
-/// `section` is the table's path in the key table ("fluid.rect[]").
+/// Checks all that a table holds and lacks. `section` is the table's path in the key table ("fluid.rect[]").
 void check_table(SceneValue& table, std::string_view section) {
   for (SceneValue::Member& member : table.members) {
     member.value.path = join_path(table.path, member.name);

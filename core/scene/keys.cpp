@@ -14,10 +14,10 @@ constexpr KeyRange not_negative{.low = 0};
 
 constexpr KeyRange at_least(double low) { return {.low = low}; }
 constexpr KeyRange from_to(double low, double high) { return {.low = low, .high = high}; }
-
 constexpr KeyRange between(double low, double high) { return {low, high, true, true}; }
 constexpr KeyRange above_to(double low, double high) { return {low, high, true, false}; }
 
+/// A key whose values are names.
 constexpr SceneKey named(std::string_view path, std::string_view fallback, std::string_view meaning,
                          ChoiceTable names, KeyType type = choice) {
   return {path, type, "", fallback, meaning, {}, names.rows};

@@ -1,4 +1,4 @@
-// The table of everything a scene file can say: one row per key, one row per table. It is pure data;
+// The table of everything a scene file can say: one row per key and per table. It is pure data;
 // validation (check.cpp), the defaults, the settings of a run and docs/scene_keys.md are all made from it.
 #pragma once
 
@@ -93,7 +93,7 @@ inline std::string expectation(const SceneKey& key) { return expectation(key, ke
 /// Names as a list in a sentence: "a", "b" or "c", quoted.
 std::string join_choices(std::span<const ChoiceInfo> choices, std::string_view last_word = "or");
 
-/// The known name nearest to an unknown one in the table `section` (a path as in SceneSection, empty for the
+/// The known name nearest to an unknown one in the table `section` (a path as in SceneKey, empty for the
 /// top): of the same table if one is close, else the full path of a key or table of this very name elsewhere,
 /// else whatever is least far in the same table.
 std::string nearest_key(std::string_view section, std::string_view unknown);

@@ -32,34 +32,32 @@ bool is_file(const fs::path& path) {
   return fs::is_regular_file(path, error);
 }
 
+[[noreturn]] void refuse(const std::string& scene, const std::string& why) {
+  throw InputError(one_line(fmt::format("{}: {}", scene, why)));
+}
+
 std::string read_file(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   std::string text(max_file_size + 1, '\0');
   file.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (!file.is_open() || file.bad())
-    throw InputError(one_line(path + ": found a file that can't be read, expected a scene file"));
+  if (!file.is_open() || file.bad()) refuse(path, "found a file that can't be read, expected a scene file");
   text.resize(static_cast<size_t>(file.gcount()));
   if (text.size() > max_file_size)
-    throw InputError(
-        one_line(fmt::format("{}: found more than {} bytes, expected a scene file", path, max_file_size)));
+    refuse(path, fmt::format("found more than {} bytes, expected a scene file", max_file_size));
   return text;
 }
 
 [[noreturn]] void refuse_missing(const std::string& scene) {
   std::error_code error;
   if (fs::exists(scene, error))
-    throw InputError(one_line(fmt::format("{}: found a {}, expected a scene file", scene,
-                                          fs::is_directory(scene, error) ? "directory" : "special file")));
+    refuse(scene, fmt::format("found a {}, expected a scene file",
+                              fs::is_directory(scene, error) ? "directory" : "special file"));
+  const std::string missing = "found no such file, expected the path of a scene file";
   const std::vector<std::string> names = shipped_scenes();
-  if (names.empty())
-    throw InputError(
-        one_line(fmt::format("{}: found no such file, expected the path of a scene file; the shipped scenes "
-                             "are not where they were built "
-                             "({}) nor beside the program",
-                             scene, SLUICE_SCENE_DIR)));
-  throw InputError(
-      one_line(fmt::format("{}: found no such file, expected the path of a scene file or one of {}", scene,
-                           fmt::join(names, ", "))));
+  if (!names.empty()) refuse(scene, fmt::format("{} or one of {}", missing, fmt::join(names, ", ")));
+  refuse(scene,
+         fmt::format("{}; the shipped scenes are not where they were built ({}) nor beside the program",
+                     missing, SLUICE_SCENE_DIR));
 }
 
 std::string find_scene(const std::string& scene) {

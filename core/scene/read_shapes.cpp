@@ -1,10 +1,12 @@
-// Reading of shapes: lengths in numbers, counts, and the checks that need both.
+// Lengths in numbers, shapes with their counts, and the checks that need both.
 #include "core/scene/read_shapes.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
+#include <utility>
 
 #include "core/scene/length.hpp"
 #include "core/scene/shapes.hpp"
@@ -34,139 +36,172 @@ bool on_a_line(const std::vector<Vec2>& points) {
   });
 }
 
+/// Reads lengths and shapes.
+class ShapeReader {
+ public:
+  /// `spacing` is the value of particles.spacing; it must outlive the reader.
+  explicit ShapeReader(const SceneValue& spacing) : spacing_(spacing), h_(spacing.number) {}
+
+  Vec2 point(const SceneValue& pair) const { return {length(pair.items[0]), length(pair.items[1])}; }
+
+  /// The points `min` and `max` of a table, of which `max` has to be beyond it both ways, and when asked not
+  /// infinitely far.
+  std::pair<Vec2, Vec2> box(const SceneValue& table, bool finite) const {
+    const Vec2 min = point(table.at("min")), max = point(table.at("max")), size = max - min;
+    if (!(size.x > 0 && size.y > 0) || (finite && !(std::isfinite(size.x) && std::isfinite(size.y))))
+      throw refusal(
+          {&table.at("max"), &table.at("min"), &spacing_}, describe(max),
+          fmt::format("more than min {} both ways{}", describe(min), finite ? ", by a finite length" : ""));
+    return {min, max};
+  }
+
+  /// All shapes of a [fluid] or a [boundary] table in the order of the file.
+  template <class Shape>
+  std::vector<Shape> shapes(const SceneValue& parent) {
+    std::vector<std::pair<std::string_view, const SceneValue*>> tables;  // with their kinds
+    for (const SceneValue::Member& member : parent.members)
+      for (const SceneValue& item : member.value.items)
+        if (item.kind == SceneValue::Kind::table) tables.emplace_back(member.name, &item);
+    std::ranges::stable_sort(tables, {}, [](const auto& table) { return table.second->order; });
+
+    constexpr bool fluid = std::is_same_v<Shape, FluidShape>;
+    std::vector<Shape> shapes;
+    for (auto [kind, table] : tables) {
+      Shape& shape = shapes.emplace_back();
+      shape.key = table->path;
+      shape.where = table->where;
+      if (kind == "rect") shape.geometry = rect(*table);
+      if (kind == "disc") shape.geometry = disc(*table);
+      if (kind == "polygon") shape.geometry = polygon(*table, fluid);
+      if constexpr (fluid) {
+        shape.velocity = numbers(table->at("velocity"));
+        shape.velocity_gradient = matrix(table->at("velocity_gradient"));
+      } else {
+        if (kind == "container") shape.geometry = container(*table);
+        if (kind == "segment") shape.geometry = segment(*table);
+      }
+    }
+    return shapes;
+  }
+
+ private:
+  double length(const SceneValue& value) const {
+    double result = value.is_number() ? value.number : parse_length(value.text)->value(h_);
+    if (!std::isfinite(result))
+      throw refusal({&value, &spacing_},
+                    fmt::format("{}, which is {} with h = {}", describe(value), result, h_),
+                    "a finite length");
+    return result;
+  }
+
+  Rect rect(const SceneValue& table) {
+    const SceneValue *max = table.find("max"), *count = table.find("count");
+    if (max && count) throw refusal({count, max}, describe(*count) + " together with max", "one of the two");
+    if (!max && !count)
+      throw refusal(table.where, table.path + ".max", "nothing",
+                    "an array of two lengths, or count in its place");
+    Rect rect{point(table.at("min")), {}, 0};
+    Vec2 n = count ? numbers(*count) : glm::ceil((point(table.at("max")) - rect.min) / h_ - 1e-6);
+    if (!(n.x >= 1 && n.y >= 1))  // only without a count
+      throw refusal({max, &table.at("min"), &spacing_}, describe(point(table.at("max"))),
+                    fmt::format("more than min {} both ways", describe(rect.min)));
+    add_samples(table, n.x * n.y);
+    rect.count = {static_cast<uint32_t>(n.x), static_cast<uint32_t>(n.y)};
+    if (table.find("layers")) rect.layers = layers_of(table);
+    return rect;
+  }
+
+  Disc disc(const SceneValue& table) {
+    const SceneValue& radius = table.at("radius");
+    Disc disc{point(table.at("centre")), length(radius)};
+    if (!(disc.radius > 0))
+      throw refusal({&radius, &spacing_},
+                    describe(radius) + (radius.is_number() ? "" : fmt::format(", which is {}", disc.radius)),
+                    "a length greater than 0");
+    double across = 2 * disc.radius / h_ + 1;
+    add_samples(table, across * across);
+    return disc;
+  }
+
+  Polygon polygon(const SceneValue& table, bool needs_centre) {
+    const SceneValue& points = table.at("points");
+    Polygon polygon;
+    for (const SceneValue& item : points.items) polygon.points.push_back(point(item));
+    if (on_a_line(polygon.points))
+      throw refusal({&points, &spacing_}, "points on one line", "corners that enclose an area");
+    Vec2 low = polygon.points[0], high = low;
+    for (Vec2 p : polygon.points) low = glm::min(low, p), high = glm::max(high, p);
+    Vec2 n = (high - low) / h_ + 1.0;
+    add_samples(table, n.x * n.y);
+    const Vec2 centre = needs_centre ? centre_of(polygon, h_) : low;
+    if (!std::isfinite(centre.x) || !std::isfinite(centre.y))
+      throw refusal({&points, &spacing_}, "corners with edges that cross, around nothing on balance",
+                    "corners in order around an area");
+    return polygon;
+  }
+
+  Container container(const SceneValue& table) {
+    auto [min, max] = box(table, false);
+    Container box{min, max, layers_of(table)};
+    for (const SceneValue& side : table.at("sides").items) {
+      switch (value_named<Side>(side.text).value()) {
+        case Side::left: box.left = true; break;
+        case Side::right: box.right = true; break;
+        case Side::bottom: box.bottom = true; break;
+        case Side::top: box.top = true; break;
+      }
+    }
+    Vec2 n = (box.max - box.min) / h_ + 1.0;
+    add_samples(table, box.layers * (n.y * (box.left + box.right) + n.x * (box.bottom + box.top)));
+    return box;
+  }
+
+  Segment segment(const SceneValue& table) {
+    Segment wall{point(table.at("from")), point(table.at("to")), layers_of(table)};
+    if (wall.from == wall.to)
+      throw refusal({&table.at("to"), &table.at("from"), &spacing_}, describe(wall.to),
+                    "another point than from");
+    add_samples(table, wall.layers * (glm::distance(wall.from, wall.to) / h_ + 1));
+    return wall;
+  }
+
+  /// Keeps the samples of all shapes within what can be numbered.
+  void add_samples(const SceneValue& table, double count) {
+    samples_ += count;
+    if (!(samples_ <= max_samples))
+      throw refusal(
+          {&spacing_, &table},
+          fmt::format("{}, which makes {:.4g} samples up to {}", h_, samples_, table.path),
+          fmt::format("at most {:.0f} in all shapes together; use a larger spacing or smaller shapes",
+                      max_samples));
+  }
+
+  const SceneValue& spacing_;
+  double h_;
+  double samples_ = 0;  ///< so far; an upper bound for discs and polygons
+};
+
+[[noreturn]] void refuse_no_fluid(const SceneValue& table) {
+  const std::string* where = &table.where;
+  for (const SceneValue::Member& shapes : table.members)  // emptied by --set fluid.rect=[]
+    if (shapes.value.overridden && shapes.value.kind == SceneValue::Kind::array && shapes.value.items.empty())
+      where = &shapes.value.where;
+  throw refusal(*where, "fluid", "no fluid", "at least one shape, such as [[fluid.rect]]");
+}
+
 }  // namespace
 
 Vec2 numbers(const SceneValue& pair) { return {pair.items[0].number, pair.items[1].number}; }
 
-double ShapeReader::length(const SceneValue& value) const {
-  double result = value.is_number() ? value.number : parse_length(value.text)->value(h_);
-  if (!std::isfinite(result))
-    throw refusal({&value, &spacing_},
-                  fmt::format("{}, which is {} with h = {}", describe(value), result, h_), "a finite length");
-  return result;
-}
-
-std::pair<Vec2, Vec2> ShapeReader::box(const SceneValue& table, bool finite) const {
-  const Vec2 min = point(table.at("min")), max = point(table.at("max")), size = max - min;
-  if (!(size.x > 0 && size.y > 0) || (finite && !(std::isfinite(size.x) && std::isfinite(size.y))))
-    throw refusal(
-        {&table.at("max"), &table.at("min"), &spacing_}, describe(max),
-        fmt::format("more than min {} both ways{}", describe(min), finite ? ", by a finite length" : ""));
-  return {min, max};
-}
-
-void ShapeReader::add_samples(const SceneValue& table, double count) {
-  samples_ += count;
-  if (!(samples_ <= max_samples))
-    throw refusal({&spacing_, &table},
-                  fmt::format("{}, which makes {:.4g} samples up to {}", h_, samples_, table.path),
-                  fmt::format("at most {:.0f} in all shapes together; use a larger spacing or smaller shapes",
-                              max_samples));
-}
-
-Rect ShapeReader::rect(const SceneValue& table) {
-  const SceneValue *max = table.find("max"), *count = table.find("count");
-  if (max && count) throw refusal({count, max}, describe(*count) + " together with max", "one of the two");
-  if (!max && !count)
-    throw refusal(table.where, table.path + ".max", "nothing",
-                  "an array of two lengths, or count in its place");
-  Rect rect{point(table.at("min")), {}, 0};
-  Vec2 n = count ? numbers(*count) : glm::ceil((point(table.at("max")) - rect.min) / h_ - 1e-6);
-  if (!(n.x >= 1 && n.y >= 1))  // only without a count
-    throw refusal({max, &table.at("min"), &spacing_}, describe(point(table.at("max"))),
-                  fmt::format("more than min {} both ways", describe(rect.min)));
-  add_samples(table, n.x * n.y);
-  rect.count = {static_cast<uint32_t>(n.x), static_cast<uint32_t>(n.y)};
-  if (table.find("layers")) rect.layers = layers_of(table);
-  return rect;
-}
-
-Disc ShapeReader::disc(const SceneValue& table) {
-  const SceneValue& radius = table.at("radius");
-  Disc disc{point(table.at("centre")), length(radius)};
-  if (!(disc.radius > 0))
-    throw refusal({&radius, &spacing_},
-                  describe(radius) + (radius.is_number() ? "" : fmt::format(", which is {}", disc.radius)),
-                  "a length greater than 0");
-  double across = 2 * disc.radius / h_ + 1;
-  add_samples(table, across * across);
-  return disc;
-}
-
-Polygon ShapeReader::polygon(const SceneValue& table, bool needs_centre) {
-  const SceneValue& points = table.at("points");
-  Polygon polygon;
-  for (const SceneValue& item : points.items) polygon.points.push_back(point(item));
-  if (on_a_line(polygon.points))
-    throw refusal({&points, &spacing_}, "points on one line", "corners that enclose an area");
-  Vec2 low = polygon.points[0], high = low;
-  for (Vec2 p : polygon.points) low = glm::min(low, p), high = glm::max(high, p);
-  Vec2 n = (high - low) / h_ + 1.0;
-  add_samples(table, n.x * n.y);
-  const Vec2 centre = needs_centre ? centre_of(polygon, h_) : low;
-  if (!std::isfinite(centre.x) || !std::isfinite(centre.y))
-    throw refusal({&points, &spacing_}, "corners with edges that cross, around nothing on balance",
-                  "corners in order around an area");
-  return polygon;
-}
-
-Container ShapeReader::container(const SceneValue& table) {
-  auto [min, max] = box(table);
-  Container box{min, max, layers_of(table)};
-  for (const SceneValue& side : table.at("sides").items) {
-    switch (value_named<Side>(side.text).value()) {
-      case Side::left: box.left = true; break;
-      case Side::right: box.right = true; break;
-      case Side::bottom: box.bottom = true; break;
-      case Side::top: box.top = true; break;
-    }
-  }
-  Vec2 n = (box.max - box.min) / h_ + 1.0;
-  add_samples(table, box.layers * (n.y * (box.left + box.right) + n.x * (box.bottom + box.top)));
-  return box;
-}
-
-Segment ShapeReader::segment(const SceneValue& table) {
-  Segment wall{point(table.at("from")), point(table.at("to")), layers_of(table)};
-  if (wall.from == wall.to)
-    throw refusal({&table.at("to"), &table.at("from"), &spacing_}, describe(wall.to),
-                  "another point than from");
-  add_samples(table, wall.layers * (glm::distance(wall.from, wall.to) / h_ + 1));
-  return wall;
-}
-
-template <class Shape>
-std::vector<Shape> ShapeReader::shapes(const SceneValue& parent) {
-  std::vector<std::pair<std::string_view, const SceneValue*>> tables;  // with their kinds
-  for (const SceneValue::Member& member : parent.members)
-    for (const SceneValue& item : member.value.items)
-      if (item.kind == SceneValue::Kind::table) tables.emplace_back(member.name, &item);
-  std::ranges::stable_sort(tables, {}, [](const auto& table) { return table.second->order; });
-
-  constexpr bool fluid = std::is_same_v<Shape, FluidShape>;
-  std::vector<Shape> shapes;
-  for (auto [kind, table] : tables) {
-    Shape& shape = shapes.emplace_back();
-    shape.key = table->path;
-    shape.where = table->where;
-    if (kind == "rect") shape.geometry = rect(*table);
-    if (kind == "disc") shape.geometry = disc(*table);
-    if (kind == "polygon") shape.geometry = polygon(*table, fluid);
-    if constexpr (fluid) {
-      shape.velocity = numbers(table->at("velocity"));
-      shape.velocity_gradient = matrix(table->at("velocity_gradient"));
-    } else {
-      if (kind == "container") shape.geometry = container(*table);
-      if (kind == "segment") shape.geometry = segment(*table);
-    }
-  }
-  return shapes;
-}
-
-std::vector<FluidShape> ShapeReader::fluid(const SceneValue& table) { return shapes<FluidShape>(table); }
-
-std::vector<BoundaryShape> ShapeReader::boundary(const SceneValue& table) {
-  return shapes<BoundaryShape>(table);
+void read_lengths(const SceneValue& root, Scene& scene) {
+  ShapeReader reader(root.at("particles").at("spacing"));
+  std::tie(scene.domain_min, scene.domain_max) = reader.box(root.at("domain"), true);
+  const SceneValue& fluid = root.at("fluid");
+  scene.centre = reader.point(fluid.at("centre"));
+  scene.fluid = reader.shapes<FluidShape>(fluid);
+  if (scene.fluid.empty()) refuse_no_fluid(fluid);
+  if (const SceneValue* boundary = root.find("boundary"))
+    scene.boundary = reader.shapes<BoundaryShape>(*boundary);
 }
 
 }  // namespace sluice
