@@ -11,7 +11,6 @@
 namespace sluice::app {
 namespace {
 
-
 const std::vector<std::string> help_of_recordings = {
     "space  pause, go on",     "right left  one frame on, back", "b  backwards, forwards",
     "up down  faster, slower", "home end  first, last frame",    "r  from the start",
