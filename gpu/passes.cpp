@@ -54,9 +54,11 @@ const std::vector<Row>& table() {
   return rows;
 }
 
-Row row_of(Stage stage) {
+/// The stage's row, or that of all stages without one. No copy: sweeps ask for it.
+const Row& row_of(Stage stage) {
+  static const Row others{.stage = Stage::count};
   const auto row = std::ranges::find(table(), stage, &Row::stage);
-  return row == table().end() ? Row{.stage = stage} : *row;
+  return row == table().end() ? others : *row;
 }
 
 Pass each_invocation(uint32_t number, uint64_t count, uint32_t group_size) {
@@ -113,7 +115,7 @@ uint64_t count_of(Over over, Stage stage, const Sizes& sizes) {
 }  // namespace
 
 std::vector<Pass> passes_of(Stage stage, const Sizes& sizes, uint32_t group_size) {
-  const Row row = row_of(stage);
+  const Row& row = row_of(stage);
   std::vector<Pass> passes;
   for (const Over over : row.passes) {
     if (over == Over::tree) return tree_passes(row, sizes, group_size);
