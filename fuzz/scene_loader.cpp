@@ -3,7 +3,7 @@
 // brings libFuzzer along.
 //
 //   cmake --preset fuzz && cmake --build --preset fuzz
-//   mkdir -p build/fuzz/found && build/fuzz/scene_loader -dict=fuzz/scene.dict -max_total_time=600
+//   mkdir -p build/fuzz/found && build/fuzz/scene_loader -dict=build/fuzz/scene.dict -max_total_time=600
 //   build/fuzz/found scenes tests/data
 //
 // New inputs of interest go to the first folder; the others are only read. An input that breaks a claim, or

@@ -112,9 +112,9 @@ const std::vector<ParamsMember>& params_layout() {
       members.push_back({name, type, offset});
       end = offset + bytes;
     };
-#define REAL(name, meaning) add(#name, Type::real);
-#define VEC2(name, meaning) add(#name, Type::vec2);
-#define UINT(name, meaning) add(#name, Type::uint);
+#define REAL(name, value, meaning) add(#name, Type::real);
+#define VEC2(name, value, meaning) add(#name, Type::vec2);
+#define UINT(name, value, meaning) add(#name, Type::uint);
     SLUICE_PARAMS(REAL, VEC2, UINT)
 #undef REAL
 #undef VEC2
@@ -134,9 +134,9 @@ std::vector<std::byte> params_bytes(const Params& params) {
     static_assert(sizeof(value) == 4 || sizeof(value) == 8);
     std::memcpy(bytes.data() + (member++)->offset, &value, sizeof(value));
   };
-#define REAL(name, meaning) put(values.name);
-#define VEC2(name, meaning) put(values.name);
-#define UINT(name, meaning) put(values.name);
+#define REAL(name, value, meaning) put(values.name);
+#define VEC2(name, value, meaning) put(values.name);
+#define UINT(name, value, meaning) put(values.name);
   SLUICE_PARAMS(REAL, VEC2, UINT)
 #undef REAL
 #undef VEC2

@@ -6,13 +6,15 @@
 namespace sluice {
 
 Model model_of(const Scene& scene) {
-  Model model;
-  if (!scene.boundary.empty()) model.boundary = scene.boundary_model;
-  if (scene.viscosity > 0) model.viscosity = scene.viscosity_model;
-  model.method = scene.method;
-  model.wall = scene.iisph.wall;
-  model.solver = scene.iisph.solver;
-  return model;
+#define CHOICE(type, name, chosen, relaxing) chosen,
+  return {SLUICE_MODEL(CHOICE)};
+#undef CHOICE
+}
+
+Model Model::relaxing() const {
+#define CHOICE(type, name, chosen, relaxing) relaxing,
+  return {SLUICE_MODEL(CHOICE)};
+#undef CHOICE
 }
 
 Needs needs_of(const Model& model) {

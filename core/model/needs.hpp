@@ -11,17 +11,25 @@ namespace sluice {
 
 struct Scene;
 
+// clang-format off
+/// CHOICE(type, name, what a scene chooses, what is chosen while its start is relaxed: then the fluid is
+/// inviscid, and its pressure comes from the linear system)
+#define SLUICE_MODEL(CHOICE)                                                                                            \
+  CHOICE(BoundaryModel, boundary, scene.boundary.empty() ? BoundaryModel::none : scene.boundary_model, boundary)        \
+  CHOICE(ViscosityModel, viscosity, scene.viscosity > 0 ? scene.viscosity_model : ViscosityModel::none, ViscosityModel::none) \
+  CHOICE(PressureMethod, method, scene.method, PressureMethod::iisph)                                                   \
+  CHOICE(Wall, wall, scene.iisph.wall, wall)                                                                            \
+  CHOICE(Solver, solver, scene.iisph.solver, solver)
+// clang-format on
+
 /// The choices of a scene that decide what a step is made of.
 struct Model {
-  BoundaryModel boundary = BoundaryModel::none;
-  ViscosityModel viscosity = ViscosityModel::none;
-  PressureMethod method = PressureMethod::iisph;
-  Wall wall = Wall::thesis;
-  Solver solver = Solver::jacobi;
+#define CHOICE(type, name, chosen, relaxing) type name{};
+  SLUICE_MODEL(CHOICE)
+#undef CHOICE
 
-  /// The model of a relaxation of the positions: the fluid is inviscid, and its pressure comes from the
-  /// linear system.
-  Model relaxing() const { return {boundary, ViscosityModel::none, PressureMethod::iisph, wall, solver}; }
+  /// The model of a relaxation of the positions.
+  Model relaxing() const;
 };
 
 Model model_of(const Scene& scene);

@@ -1,4 +1,4 @@
-// The tree's values into the Scene's fields, and the checks across keys.
+// The tree's values into the Scene, and the checks across keys.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,7 +7,6 @@
 
 #include "core/scene/keys.hpp"
 #include "core/scene/passes.hpp"
-#include "core/scene/read_shapes.hpp"
 #include "core/scene/settings.hpp"
 
 namespace sluice {
@@ -15,69 +14,30 @@ namespace {
 
 constexpr double max_steps = 9007199254740992.0;  // 2^53, as far as a double counts
 
-/// Reads a name that was checked.
-template <class Enum>
-void read_choice(const SceneValue& value, Enum& choice) {
-  choice = value_named<Enum>(value.text).value();
-}
-
-uint32_t count(const SceneValue& value) { return static_cast<uint32_t>(value.integer); }
-
-void read_particles(const SceneValue& table, Scene& scene) {
-  const SceneValue& spacing = table.at("spacing");
-  scene.spacing = spacing.number;
-  scene.smoothing = table.at("smoothing").number;
-  scene.rest_density = table.at("rest_density").number;
-  scene.spacing_where = spacing.where;
+void check_mass(const SceneValue& root, const Scene& scene) {
+  const SceneValue &spacing = root.at("particles.spacing"), &density = root.at("particles.rest_density");
   if (!std::isnormal(scene.mass()))
-    throw refusal({&spacing, &table.at("rest_density")},
+    throw refusal({&spacing, &density},
                   fmt::format("{}, which makes the mass of a particle {}", describe(spacing), scene.mass()),
                   "a mass rest_density h² within the range of numbers");
 }
 
-void read_fluid(const SceneValue& table, Scene& scene) {
-  scene.gravity = numbers(table.at("gravity"));
-  scene.central_force = table.at("central_force").number;
-  scene.jitter = table.at("jitter").number;
-  scene.seed = static_cast<uint64_t>(table.at("seed").integer);
-  scene.relax = count(table.at("relax"));
-}
-
-void read_iisph(const SceneValue& table, Iisph& iisph) {
-  const SceneValue& least = table.at("min_iterations");
-  const SceneValue& most = table.at("max_iterations");
-  if (least.integer > most.integer) {
-    if (!least.defaulted && (least.overridden || !most.overridden))
-      throw refusal({&least, &most}, describe(least), "at most max_iterations, which is " + describe(most));
-    throw refusal({&most, &least}, describe(most), "at least min_iterations, which is " + describe(least));
-  }
-  iisph.tolerance = table.at("tolerance").number;
-  iisph.min_iterations = count(least);
-  iisph.max_iterations = count(most);
-  iisph.omega = table.at("omega").number;
-  iisph.warm_start = table.at("warm_start").number;
-  iisph.source_weight = table.at("source_weight").number;
-  read_choice(table.at("solver"), iisph.solver);
-  read_choice(table.at("wall"), iisph.wall);
-  read_choice(table.at("stop"), iisph.stop);
-}
-
-void read_pressure(const SceneValue& root, Scene& scene) {
-  const SceneValue& table = root.at("pressure");
-  const SceneValue& method = table.at("method");
-  read_choice(method, scene.method);
+void check_method(const SceneValue& root) {
+  const SceneValue &table = root.at("pressure"), &method = table.at("method");
   if (!table.find(method.text))
     throw refusal(
         method.overridden ? method.where : table.where, "pressure." + method.text, "nothing",
         fmt::format("a table [pressure.{}], as pressure.method is {}", method.text, describe(method)));
-  read_iisph(table.at("iisph"), scene.iisph);
-  if (const SceneValue* ssph = table.find("ssph")) scene.ssph = Ssph{ssph->at("stiffness").number};
-  if (const SceneValue* wcsph = table.find("wcsph"))
-    scene.wcsph = Wcsph{wcsph->at("kappa").number, wcsph->at("gamma").number};
 }
 
-void check_time(const SceneValue& root, const SceneValue* method_dt, const std::string& method_key) {
-  const SceneValue& table = root.at("time");
+void check_iterations(const SceneValue& least, const SceneValue& most) {
+  if (least.integer <= most.integer) return;
+  if (!least.defaulted && (least.overridden || !most.overridden))
+    throw refusal({&least, &most}, describe(least), "at most max_iterations, which is " + describe(most));
+  throw refusal({&most, &least}, describe(most), "at least min_iterations, which is " + describe(least));
+}
+
+void check_time(const SceneValue& table, const SceneValue* method_dt, const std::string& method_key) {
   const SceneValue *dt = table.find("dt"), *cfl = table.find("cfl");
   const SceneValue *least = table.find("dt_min"), *most = table.find("dt_max");
   if (const SceneValue* other = dt ? dt : method_dt; cfl && other)
@@ -97,37 +57,24 @@ void check_time(const SceneValue& root, const SceneValue* method_dt, const std::
 }
 
 void read_time(const SceneValue& root, Scene& scene) {
-  const SceneValue& table = root.at("time");
-  const SceneValue& pressure = root.at("pressure");
-  const std::string& method = pressure.at("method").text;
-  const SceneValue* method_dt = pressure.at(method).find("dt");
-  std::string method_key = fmt::format("pressure.{}.dt", method);
-  check_time(root, method_dt, method_key);
-  scene.duration = table.at("duration").number;
-  const SceneValue* dt = method_dt ? method_dt : table.find("dt");
-  if (const SceneValue* cfl = table.find("cfl")) {
-    scene.adaptive = {cfl->number, table.at("dt_min").number, table.at("dt_max").number};
-    dt = table.find("dt_min");
-  }
+  const SceneValue &table = root.at("time"), &duration = table.at("duration");
+  const std::string method_key = fmt::format("pressure.{}.dt", root.at("pressure.method").text);
+  const SceneValue* method_dt = root.find(method_key);
+  check_time(table, method_dt, method_key);
+  const SceneValue* dt = scene.adaptive ? table.find("dt_min") : method_dt ? method_dt : table.find("dt");
   scene.dt = scene.adaptive ? scene.adaptive->dt_max : dt->number;
   scene.dt_key = dt->path;
   if (!(scene.duration / dt->number <= max_steps))
-    throw refusal({&table.at("duration"), dt},
-                  fmt::format("{}, which is {:.4g} steps of {}", describe(table.at("duration")),
+    throw refusal({&duration, dt},
+                  fmt::format("{}, which is {:.4g} steps of {}", describe(duration),
                               scene.duration / dt->number, describe(*dt)),
                   fmt::format("at most {:.0f} steps", max_steps));
 }
 
-void read_output(const SceneValue& table, Scene& scene) {
-  scene.fps = table.at("fps").number;
-  read_choice(table.at("colour"), scene.colour);
-  if (const SceneValue* size = table.find("size")) {
-    scene.image_size = {count(size->items[0]), count(size->items[1])};
-  } else {
-    Vec2 domain = scene.domain_max - scene.domain_min;
-    Vec2 pixels = glm::max(glm::round(domain * (800 / std::max(domain.x, domain.y))), Vec2(16));
-    scene.image_size = {static_cast<uint32_t>(pixels.x), static_cast<uint32_t>(pixels.y)};
-  }
+glm::uvec2 image_size(const SceneValue& root, const Scene& scene) {
+  if (const SceneValue* size = root.find("output.size")) return vector_of(*size);
+  const Vec2 domain = scene.domain_max - scene.domain_min;
+  return glm::max(glm::round(domain * (800 / std::max(domain.x, domain.y))), Vec2(16));
 }
 
 // ---- settings
@@ -171,20 +118,15 @@ Scene build_scene(const SceneValue& root, const std::string& name, const std::st
   Scene scene;
   scene.name = name;
   scene.file = file;
-  scene.title = root.at("scene").at("title").text;
-  scene.source = root.at("scene").at("source").text;
-  read_particles(root.at("particles"), scene);
-  read_fluid(root.at("fluid"), scene);
+  for (const SceneKey& key : scene_keys())
+    if (const SceneValue* value = root.find(key.path); value && key.read) key.read(*value, scene);
+  scene.spacing_where = root.at("particles.spacing").where;
+  check_mass(root, scene);
   read_lengths(root, scene);
-  if (const SceneValue* boundary = root.find("boundary"))
-    read_choice(boundary->at("model"), scene.boundary_model);
-  if (const SceneValue* viscosity = root.find("viscosity")) {
-    read_choice(viscosity->at("model"), scene.viscosity_model);
-    scene.viscosity = viscosity->at("coefficient").number;
-  }
-  read_pressure(root, scene);
+  check_method(root);
+  check_iterations(root.at("pressure.iisph.min_iterations"), root.at("pressure.iisph.max_iterations"));
   read_time(root, scene);
-  read_output(root.at("output"), scene);
+  scene.image_size = image_size(root, scene);
   scene.record.settings = settings_text(root, scene);
   return scene;
 }

@@ -51,6 +51,9 @@ struct KeyRange {
 /// The fallback of a key that has none and must be given.
 inline constexpr std::string_view required_key = "required";
 
+struct Scene;
+struct SceneValue;
+
 /// A key, or a table that holds keys.
 struct SceneKey {
   std::string_view path;  ///< section and name, arrays of tables marked: "fluid.rect[].min", "fluid.rect[]"
@@ -60,6 +63,7 @@ struct SceneKey {
   std::string_view meaning;   ///< one line of Markdown
   KeyRange range = {};
   std::span<const ChoiceInfo> choices = {};  ///< that there are; their meanings follow that of the key
+  void (*read)(const SceneValue&, Scene&) = nullptr;  ///< puts a checked value into its member of the Scene
 
   bool is_array_of_tables() const { return type == KeyType::tables; }
   /// Path of the table that holds this; empty for a table at the top of the file.

@@ -28,4 +28,11 @@ void check_scene(SceneValue& root);
 /// more samples than can be numbered.
 Scene build_scene(const SceneValue& root, const std::string& name, const std::string& file);
 
+/// A part of build_scene: the domain, the centre of the central force and all shapes, [[fluid.*]] and
+/// [[boundary.*]].
+void read_lengths(const SceneValue& root, Scene& scene);
+
+/// The value of a checked [x, y] of numbers.
+Vec2 vector_of(const SceneValue& pair);
+
 }  // namespace sluice

@@ -1,6 +1,4 @@
 // Lengths in numbers, shapes with their counts, and the checks that need both.
-#include "core/scene/read_shapes.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 #include <utility>
 
 #include "core/scene/length.hpp"
+#include "core/scene/passes.hpp"
 #include "core/scene/shapes.hpp"
 
 namespace sluice {
@@ -20,7 +19,7 @@ uint32_t layers_of(const SceneValue& table) { return static_cast<uint32_t>(table
 
 /// Rows in the file, columns in memory.
 glm::dmat2 matrix(const SceneValue& rows) {
-  Vec2 first = numbers(rows.items[0]), second = numbers(rows.items[1]);
+  Vec2 first = vector_of(rows.items[0]), second = vector_of(rows.items[1]);
   return {Vec2{first.x, second.x}, Vec2{first.y, second.y}};
 }
 
@@ -74,7 +73,7 @@ class ShapeReader {
       if (kind == "disc") shape.geometry = disc(*table);
       if (kind == "polygon") shape.geometry = polygon(*table, fluid);
       if constexpr (fluid) {
-        shape.velocity = numbers(table->at("velocity"));
+        shape.velocity = vector_of(table->at("velocity"));
         shape.velocity_gradient = matrix(table->at("velocity_gradient"));
       } else {
         if (kind == "container") shape.geometry = container(*table);
@@ -101,7 +100,7 @@ class ShapeReader {
       throw refusal(table.where, table.path + ".max", "nothing",
                     "an array of two lengths, or count in its place");
     Rect rect{point(table.at("min")), {}, 0};
-    Vec2 n = count ? numbers(*count) : glm::ceil((point(table.at("max")) - rect.min) / h_ - 1e-6);
+    Vec2 n = count ? vector_of(*count) : glm::ceil((point(table.at("max")) - rect.min) / h_ - 1e-6);
     if (!(n.x >= 1 && n.y >= 1))  // only without a count
       throw refusal({max, &table.at("min"), &spacing_}, describe(point(table.at("max"))),
                     fmt::format("more than min {} both ways", describe(rect.min)));
@@ -191,7 +190,7 @@ class ShapeReader {
 
 }  // namespace
 
-Vec2 numbers(const SceneValue& pair) { return {pair.items[0].number, pair.items[1].number}; }
+Vec2 vector_of(const SceneValue& pair) { return {pair.items[0].number, pair.items[1].number}; }
 
 void read_lengths(const SceneValue& root, Scene& scene) {
   ShapeReader reader(root.at("particles").at("spacing"));

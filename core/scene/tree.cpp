@@ -8,18 +8,20 @@
 
 namespace sluice {
 
-const SceneValue* SceneValue::find(std::string_view name) const {
-  auto member = std::ranges::find(members, name, &Member::name);
-  return member == members.end() ? nullptr : &member->value;
+const SceneValue* SceneValue::find(std::string_view path_below) const {
+  const size_t point = path_below.find('.');
+  auto member = std::ranges::find(members, path_below.substr(0, point), &Member::name);
+  if (member == members.end()) return nullptr;
+  return point == path_below.npos ? &member->value : member->value.find(path_below.substr(point + 1));
 }
 
-SceneValue* SceneValue::find(std::string_view name) {
-  return const_cast<SceneValue*>(std::as_const(*this).find(name));
+SceneValue* SceneValue::find(std::string_view path_below) {
+  return const_cast<SceneValue*>(std::as_const(*this).find(path_below));
 }
 
-const SceneValue& SceneValue::at(std::string_view name) const {
-  const SceneValue* value = find(name);
-  if (!value) throw std::logic_error(fmt::format("the scene tree has no \"{}\" here", name));
+const SceneValue& SceneValue::at(std::string_view path_below) const {
+  const SceneValue* value = find(path_below);
+  if (!value) throw std::logic_error(fmt::format("the scene tree has no \"{}\" here", path_below));
   return *value;
 }
 

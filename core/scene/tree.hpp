@@ -40,11 +40,12 @@ struct SceneValue {
   bool defaulted = false;   ///< from the key table; `where` is then that of the table it was missing from
 
   bool is_number() const { return kind == Kind::integer || kind == Kind::number; }
-  /// The member of a table with this name, or null; null too when this is no table.
-  const SceneValue* find(std::string_view name) const;
-  SceneValue* find(std::string_view name);
+  /// The member of a table with this name, or in tables below it ("iisph.omega"), or null; null too when
+  /// this is no table.
+  const SceneValue* find(std::string_view path_below) const;
+  SceneValue* find(std::string_view path_below);
   /// The member that is known to be there: for a tree that check_scene has been through.
-  const SceneValue& at(std::string_view name) const;
+  const SceneValue& at(std::string_view path_below) const;
   /// Removes the member with this name, if there is one.
   void erase(std::string_view name);
 };

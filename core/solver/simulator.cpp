@@ -136,7 +136,7 @@ void Simulator::refuse_beyond_range() const {
 
 std::vector<Vec2> Simulator::relaxed_positions(const std::vector<Vec2>& x) {
   const Plan plan = make_plan(model_of(scene_), Task::relaxation);
-  set_up(plan, make_relax_params(params_, scene_));
+  set_up(plan, make_relax_params(scene_, params_.n));
   upload_state(x, std::vector<Vec2>(x.size()));
   for (uint32_t round = 0; round < scene_.relax; ++round) {
     StepReport report;
@@ -254,7 +254,7 @@ void Simulator::change_dt(double dt) {
   if (dt == params_.dt) return;
   time_before_ = time();
   steps_before_ = steps_;
-  set_dt(params_, scene_, dt);
+  params_ = make_params(scene_, params_.n, dt);
   backend_.configure(params_, plan_.needs);
 }
 
@@ -377,7 +377,7 @@ Simulator::Simulator(const Scene& scene, const Samples& samples, Backend& backen
   next_dt_ = state.clock.next_dt;
   diagnostics_ = state.diagnostics;
   if (scene.adaptive) control_ = make_control();
-  set_dt(params_, scene, state.clock.dt);
+  params_ = make_params(scene, params_.n, state.clock.dt);
   set_up(plan_, params_);
   upload_state(state.x, state.v);
   backend_.upload(Field::rho, state.density);

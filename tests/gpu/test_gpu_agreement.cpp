@@ -51,8 +51,8 @@ class Perturbed final : public ForwardingBackend {
 
   void configure(const Params& params, const Needs& needs) override {
     Params changed = params;
-#define CHANGE(name, meaning) changed.name *= 1.001;
-#define KEEP(name, meaning)
+#define CHANGE(name, value, meaning) changed.name *= 1.001;
+#define KEEP(name, value, meaning)
     SLUICE_PARAMS(CHANGE, CHANGE, KEEP)
 #undef CHANGE
 #undef KEEP

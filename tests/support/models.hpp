@@ -15,14 +15,20 @@ std::vector<Enum> all_of() {
   return values;
 }
 
-inline std::vector<Model> all_models() {
+/// The models, each with every value of one more choice.
+template <class Choice>
+std::vector<Model> with_all(const std::vector<Model>& models, Choice Model::*choice) {
   std::vector<Model> all;
-  for (const auto boundary : all_of<BoundaryModel>())
-    for (const auto viscosity : all_of<ViscosityModel>())
-      for (const auto method : all_of<PressureMethod>())
-        for (const auto wall : all_of<Wall>())
-          for (const auto solver : all_of<Solver>())
-            all.push_back({boundary, viscosity, method, wall, solver});
+  for (Model model : models)
+    for (const Choice value : all_of<Choice>()) model.*choice = value, all.push_back(model);
+  return all;
+}
+
+inline std::vector<Model> all_models() {
+  std::vector<Model> all{Model{}};
+#define CHOICE(type, name, chosen, relaxing) all = with_all(all, &Model::name);
+  SLUICE_MODEL(CHOICE)
+#undef CHOICE
   return all;
 }
 
