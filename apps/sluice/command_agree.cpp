@@ -12,7 +12,6 @@
 #include "core/output/output_file.hpp"
 #include "core/scene/load.hpp"
 #include "core/solver/memory.hpp"
-#include "cpu/backend.hpp"
 #include "media/recording.hpp"
 
 namespace sluice::app {
@@ -90,18 +89,13 @@ int agree_command(const AgreeOptions& options) {
   const Stage split = options.split ? stage_named("--split", *options.split, plan) : Stage::count;
   require_memory(scene, Precision::single_, available_memory(), options.split ? 6 : 5);
   const Samples samples = sample(scene);
-  MachineOptions gpu_machine = options.machine;
-  gpu_machine.backend = BackendChoice::gpu;
-  Machine machine(gpu_machine, samples.fluid.size());
+  Machine machine(on_gpu(options.machine), samples.fluid.size());
   std::optional<OutputFile> summary;
   if (options.summary) summary.emplace(*options.summary);
 
-  const auto make_cpu = [&] {
-    return cpu::make_backend(Precision::single_, options.machine.threads, options.machine.instructions);
-  };
-  const auto reference = make_cpu();
+  const auto reference = make_cpu_backend(options.machine);
   const auto other = gpu::make_backend(machine.context());
-  const auto first_half = make_cpu();
+  const auto first_half = make_cpu_backend(options.machine);
   SplitBackend halves(*first_half, *other, split);
   Backend& run_other = options.split ? static_cast<Backend&>(halves) : *other;
   const double tolerance = tolerance_on(machine.context());

@@ -9,7 +9,6 @@
 #include "core/scene/load.hpp"
 #include "core/solver/memory.hpp"
 #include "core/text.hpp"
-#include "cpu/backend.hpp"
 #include "media/recording.hpp"
 
 namespace sluice::app {
@@ -67,10 +66,8 @@ int agree_stage_command(const AgreeOptions& options) {
   const FieldSet fields = fields_named(options.dump, stage, plan.needs);
   require_memory(scene, Precision::single_, available_memory(), 3);
   const Samples samples = sample(scene);
-  MachineOptions gpu_machine = options.machine;
-  gpu_machine.backend = BackendChoice::gpu;
-  Machine machine(gpu_machine, samples.fluid.size());
-  const auto reference = cpu::make_backend(Precision::single_, options.machine.threads);
+  Machine machine(on_gpu(options.machine), samples.fluid.size());
+  const auto reference = make_cpu_backend(options.machine);
   const double tolerance = tolerance_on(machine.context());
   const StageTrial trial =
       try_stage(scene, samples, *reference, machine.backend(), stage, fields, options.steps, tolerance);

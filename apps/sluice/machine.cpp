@@ -12,6 +12,17 @@ double memory_factor(const MachineOptions& options) {
   return options.backend == BackendChoice::gpu ? 1.5 : 1;
 }
 
+MachineOptions on_gpu(MachineOptions options) {
+  options.backend = BackendChoice::gpu;
+  options.instructions.reset();
+  return options;
+}
+
+std::unique_ptr<Backend> make_cpu_backend(const MachineOptions& options) {
+  return cpu::make_backend(options.precision, options.threads,
+                           options.instructions.value_or(cpu::widest_instructions()));
+}
+
 Machine::Machine(const MachineOptions& options, uint64_t particles, const gpu::Context* shown)
     : options_(options), shaders_(options.shader_dir), context_(shown) {
   choose(particles);
@@ -23,6 +34,11 @@ void Machine::choose(uint64_t particles) {
     throw InputError(
         "--precision double: found it with --backend gpu, expected --backend cpu; the GPU computes in float");
   }
+  if (options_.backend == BackendChoice::gpu && options_.instructions) {
+    throw InputError(fmt::format(
+        "--instructions {}: found it with --backend gpu, expected --backend cpu; they are the CPU's",
+        name_of(*options_.instructions)));
+  }
   if (options_.backend == BackendChoice::cpu) return use_cpu("as asked for");
   if (options_.backend == BackendChoice::gpu) {
     if (context_ == nullptr) gpu::suit_software_threads(particles);
@@ -30,6 +46,7 @@ void Machine::choose(uint64_t particles) {
     return use_gpu("as asked for");
   }
   if (in_double) return use_cpu("double runs there");
+  if (options_.instructions) return use_cpu("--instructions are for it");
   try {
     context();
   } catch (const EnvironmentError& error) {
@@ -49,7 +66,7 @@ const gpu::Context& Machine::context() {
 }
 
 void Machine::use_cpu(const std::string& why) {
-  backend_ = cpu::make_backend(options_.precision, options_.threads, options_.instructions);
+  backend_ = make_cpu_backend(options_);
   choice_ = fmt::format("cpu, {} threads ({})", options_.threads, why);
 }
 

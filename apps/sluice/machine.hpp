@@ -15,6 +15,12 @@ namespace sluice::app {
 /// Factor on the memory of the fields that a run may take: a software OpenGL copies some.
 double memory_factor(const MachineOptions& options);
 
+/// The options of a machine that is to compute on the GPU beside the CPU.
+MachineOptions on_gpu(MachineOptions options);
+
+/// The CPU backend that the options ask for.
+std::unique_ptr<Backend> make_cpu_backend(const MachineOptions& options);
+
 class Machine {
  public:
   /// Machine for a run of `particles` fluid particles. InputError for a choice that contradicts itself,

@@ -31,7 +31,7 @@ struct MachineOptions {
   BackendChoice backend = BackendChoice::automatic;
   Precision precision = Precision::single_;
   int threads = 1;
-  cpu::Instructions instructions = cpu::widest_instructions();
+  std::optional<cpu::Instructions> instructions;  ///< the widest if not given
   std::optional<int> gl_device;
   std::optional<std::filesystem::path> shader_dir;
 };

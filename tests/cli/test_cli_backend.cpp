@@ -88,6 +88,7 @@ TEST(CliBackend, AnyInstructionsGiveTheSameState) {
     EXPECT_EQ(state, expected) << name;
   }
   EXPECT_EQ(run_program({"agree", "breaking_dam", "--steps", "1", "--instructions", "plain"}).code, 0);
+  EXPECT_EQ(run_program({"agree", "breaking_dam", "--stage", "density", "--instructions", "plain"}).code, 0);
 }
 
 TEST(CliBackend, InstructionsThatAreNotThereAreRefused) {
@@ -113,6 +114,14 @@ TEST(CliBackend, TheGpuDoesNotComputeInDouble) {
   EXPECT_EQ(result.out, "");
   EXPECT_TRUE(has(result.err, "--precision double: found it with --backend gpu, expected --backend cpu"))
       << result.err;
+}
+
+TEST(CliBackend, InstructionsAreTheCpus) {
+  const ProgramResult result = run({"--backend", "gpu", "--instructions", "plain"});
+  EXPECT_EQ(result.code, 2);
+  EXPECT_TRUE(has(result.err, "--instructions plain: found it with --backend gpu, expected --backend cpu"))
+      << result.err;
+  EXPECT_TRUE(has(run({"--instructions", "plain"}).err, "backend: cpu, 1 threads (--instructions"));
 }
 
 TEST(CliBackend, AutomaticInDoubleIsTheCpuWithoutOpenGl) {
