@@ -43,7 +43,7 @@ double copy_seconds(const Context& context, uint64_t bytes, int repetitions) {
   const auto size = static_cast<GLsizeiptr>(bytes);
   glBindBuffer(GL_COPY_READ_BUFFER, from.name());
   glBindBuffer(GL_COPY_WRITE_BUFFER, to.name());
-  for (const GLenum target : {GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER}) {
+  for (const auto target : {GLenum{GL_COPY_READ_BUFFER}, GLenum{GL_COPY_WRITE_BUFFER}}) {
     glBufferData(target, size, nullptr, GL_DYNAMIC_COPY);
     context.check("making room for a copy");
     // Memory that was never written may not be there yet.

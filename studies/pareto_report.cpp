@@ -146,7 +146,9 @@ std::string float_words(const std::vector<Observed>& all) {
     if (result->point.fact("machine") != on_double || result->point.fact("n") != std::to_string(fine))
       continue;
     for (const auto& [other, in_float] : all) {
-      const auto same = [&](const char* fact) { return other->point.fact(fact) == result->point.fact(fact); };
+      const auto same = [&one = other->point, &two = result->point](const char* fact) {
+        return one.fact(fact) == two.fact(fact);
+      };
       if (other->point.fact("machine") != on_float || !same("scene") || !same("curve") || !same("dt") ||
           !same("n"))
         continue;

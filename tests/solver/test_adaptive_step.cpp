@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "core/solver/time_step.hpp"
 #include "gpu/context.hpp"
@@ -186,7 +187,7 @@ TEST(AdaptiveStep, AStepThatIsNotFiniteIsRepeatedWithASmallerOne) {
   const AdaptiveStep limits{0.5, 0.001, 1};
   const StepControl control(limits, 8, 10);
   Diagnostics d;
-  d.kinetic_energy = NAN;
+  d.kinetic_energy = std::numeric_limits<double>::quiet_NaN();
   EXPECT_FALSE(control.holds(d));
   EXPECT_EQ(control.shorter(0.1, d), 0.025);
   EXPECT_EQ(control.shorter(0.0015, d), 0.001);

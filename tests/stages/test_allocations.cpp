@@ -32,8 +32,7 @@ namespace {
 
 TEST(Allocations, CounterCounts) {
   const uint64_t before = allocations;
-  std::vector<double> values(1000);
-  EXPECT_GT(values.size(), 0u);
+  ::operator delete(::operator new(1000));  // a container's memory may be left out when nobody looks
   EXPECT_GT(allocations.load(), before);
 }
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <limits>
 
@@ -18,9 +19,20 @@ namespace {
 template <class Real>
 using Vec = glm::vec<2, Real>;
 
+/// Whether two values have the same bits; of a NaN the sign may differ, which compilers are free to choose.
+template <class Real>
+bool is_same(Real a, Real b) {
+  return std::memcmp(&a, &b, sizeof(a)) == 0 || (std::isnan(a) && std::isnan(b));
+}
+
+template <class Real>
+bool is_same(Vec<Real> a, Vec<Real> b) {
+  return is_same(a.x, b.x) && is_same(a.y, b.y);
+}
+
 template <class T>
 bool same_bits(const std::vector<T>& a, const std::vector<T>& b) {
-  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
+  return std::ranges::equal(a, b, [](const T& one, const T& other) { return is_same(one, other); });
 }
 
 template <class T>

@@ -28,7 +28,8 @@ void set_byte(std::string& text, Dice& dice, std::span<const std::string>) {
 }
 
 void insert_byte(std::string& text, Dice& dice, std::span<const std::string>) {
-  text.insert(dice.below(text.size() + 1), 1, static_cast<char>(dice.below(256)));
+  const char byte = static_cast<char>(dice.below(256));
+  text.insert(dice.below(text.size() + 1), 1, byte);
 }
 
 void remove_part(std::string& text, Dice& dice, std::span<const std::string>) {
@@ -45,7 +46,8 @@ void repeat_part(std::string& text, Dice& dice, std::span<const std::string>) {
 void splice(std::string& text, Dice& dice, std::span<const std::string> others) {
   const std::string& other = dice.of(others);
   if (dice.one_in(2)) {
-    text = text.substr(0, dice.below(text.size() + 1)) + other.substr(dice.below(other.size() + 1));
+    text.resize(dice.below(text.size() + 1));
+    text += other.substr(dice.below(other.size() + 1));
     return;
   }
   const auto [begin, size] = part_of(other, dice);

@@ -177,13 +177,15 @@ void lengthen(std::string& text, Dice& dice, Texts) {
 void break_utf8(std::string& text, Dice& dice, Texts) {
   static constexpr std::array<std::string_view, 8> bytes{
       "\xff", "\xc3", "\x80", "\xed\xa0\x80", "\xe2\x82", "\xf4\x90\x80\x80", "\xc0\x80", "\xef\xbb\xbf"};
-  text.insert(dice.below(text.size() + 1), bytes[dice.below(bytes.size())]);
+  const std::string_view wrong = bytes[dice.below(bytes.size())];
+  text.insert(dice.below(text.size() + 1), wrong);
 }
 
 void put_character(std::string& text, Dice& dice, Texts) {
   static constexpr std::array<std::string_view, 16> characters{
       "\"", "'", "\"\"\"", "'''", "[", "]", "{", "}", "=", ".", "\n", "#", ",", "\r", "\\", "\\U0010ffff"};
-  text.insert(dice.below(text.size() + 1), characters[dice.below(characters.size())]);
+  const std::string_view put = characters[dice.below(characters.size())];
+  text.insert(dice.below(text.size() + 1), put);
 }
 
 void change_bytes(std::string& text, Dice& dice, Texts others) {
