@@ -92,7 +92,7 @@ std::string fields(Stage stage, Loads loads) {
     if (!reads && !writes) continue;
     text +=
         storage(block_name(field), writes ? "" : "readonly ", glsl_type(info(field).type), info(field).name);
-    if (!writes) text += loader(field, loads);
+    text += loader(field, writes ? Loads::blocks : loads);
   }
   return text;
 }

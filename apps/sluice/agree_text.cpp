@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "core/error.hpp"
 
 namespace sluice::app {
@@ -20,6 +22,14 @@ std::string first_text(const Difference& difference) {
                      value_text(place, place.reference), value_text(place, place.other));
 }
 
+/// Text that says which scenes have a stage of this name; empty when there is none.
+std::string where_it_runs(std::string_view name) {
+  const auto stage = std::ranges::find(stage_table(), name, &StageInfo::name);
+  if (stage == stage_table().end()) return "";
+  const auto need = std::ranges::find(need_table, stage->need, &NeedInfo::need);
+  return fmt::format(", which is for: {}", need->meaning);
+}
+
 }  // namespace
 
 Stage stage_named(const std::string& option, const std::string& name, const Plan& plan) {
@@ -28,8 +38,8 @@ Stage stage_named(const std::string& option, const std::string& name, const Plan
     if (info(stage).name == name) return stage;
     if (known.find(info(stage).name) == std::string::npos) known += fmt::format(" {}", info(stage).name);
   }
-  throw InputError(
-      fmt::format("{}: found \"{}\", expected a stage of this scene's plan:{}", option, name, known));
+  throw InputError(fmt::format("{}: found \"{}\"{}, expected a stage of this scene's plan:{}", option, name,
+                               where_it_runs(name), known));
 }
 
 double tolerance_on(const gpu::Context& context) { return context.software() ? 0 : 32; }

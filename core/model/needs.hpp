@@ -13,7 +13,7 @@ struct Scene;
 
 // clang-format off
 /// CHOICE(type, name, what a scene chooses, what is chosen while its start is relaxed: then the fluid is
-/// inviscid, and its pressure comes from the linear system)
+/// inviscid, and its pressure comes from the linear system). The type is an enum of choices.hpp or bool.
 #define SLUICE_MODEL(CHOICE)                                                                                            \
   CHOICE(BoundaryModel, boundary, scene.boundary.empty() ? BoundaryModel::none : scene.boundary_model, boundary)        \
   CHOICE(ViscosityModel, viscosity, scene.viscosity > 0 ? scene.viscosity_model : ViscosityModel::none, ViscosityModel::none) \

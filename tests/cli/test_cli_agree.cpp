@@ -176,8 +176,10 @@ TEST(CliAgree, RefusesWhatItCannotDo) {
     return result.err;
   };
   EXPECT_TRUE(has(refusal({"agree", "breaking_dam", "--split", "densty"}), "--split: found \"densty\""));
-  EXPECT_TRUE(
-      has(refusal({"agree", "breaking_dam", "--split", "state_equation"}), "a stage of this scene's plan"));
+  EXPECT_TRUE(has(
+      refusal({"agree", "breaking_dam", "--split", "state_equation"}),
+      "--split: found \"state_equation\", which is for: pressure from the state equation of SSPH, expected a "
+      "stage of this scene's plan"));
   EXPECT_TRUE(has(refusal({"agree", "breaking_dam", "--steps", "0"}), "--steps: found \"0\""));
   EXPECT_TRUE(has(refusal({"agree", "no_such_scene"}), "no_such_scene"));
   EXPECT_TRUE(has(refusal({"agree", "breaking_dam", "--gl-device", "99"}), "no OpenGL device 99"));

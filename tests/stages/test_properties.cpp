@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <string>
 
+#include "core/scene/keys.hpp"
 #include "tests/support/simulation.hpp"
 
 namespace sluice::test {
@@ -145,6 +148,32 @@ TEST(Needs, NoViscosityEqualsCoefficientZero) {
   zero.viscosity = 0;
   EXPECT_TRUE(same_bits(run_few(none), run_few(zero)));
   EXPECT_FALSE(same_bits(run_few(none), run_few(shipped("breaking_dam"))));
+}
+
+// A coefficient so small that it is 0 in float plans its stages all the same; they change nothing.
+TEST(Needs, ACoefficientOfNothingEqualsNone) {
+  const auto stages_with = [](const std::string& path, const char* value) {
+    return make_plan(model_of(shipped("template", {path + "=" + value}))).stages();
+  };
+  std::set<std::string> found;
+  for (const SceneKey& key : scene_keys()) {
+    const std::string path(key.path);
+    if (key.type != KeyType::number || key.range.low != 0 || key.range.low_excluded) continue;
+    if (path.find('[') != path.npos || stages_with(path, "0") == stages_with(path, "1e-300")) continue;
+    found.insert(path);
+    for (const char* method : {"iisph", "ssph", "wcsph"}) {
+      SCOPED_TRACE(path + ", " + method);
+      const std::string chosen = std::string("pressure.method=") + method;
+      const auto run = [&](const char* value) {
+        Simulation simulation(shipped("template", {chosen, path + "=" + value}), Precision::single_);
+        simulation.run(few_steps);
+        return simulation.simulator->snapshot();
+      };
+      EXPECT_TRUE(same_bits(run("0"), run("1e-300")));
+      EXPECT_FALSE(same_bits(run("0"), run("1"))) << "it does nothing";
+    }
+  }
+  EXPECT_TRUE(found.contains("viscosity.coefficient"));
 }
 
 // The stage itself, run with coefficient 0, changes nothing: leaving it out is the same.

@@ -52,6 +52,19 @@ TEST_P(Simd, StagesAndRunsHaveTheBitsOfThePlainOnes) {
 INSTANTIATE_TEST_SUITE_P(Scenes, Simd, testing::ValuesIn(shipped_runs()),
                          [](const auto& test) { return test.param.name(); });
 
+// What no shipped scene plans, no generated test of agreement runs.
+TEST(Simd, EveryStageIsPlannedByAShippedScene) {
+  std::set<Stage> planned;
+  for (const ShippedRun& run : shipped_runs())
+    for (const Stage stage : make_plan(model_of(run.load())).stages()) planned.insert(stage);
+  for (uint32_t i = 0; i < stage_count; ++i) {
+    const auto stage = static_cast<Stage>(i);
+    if (info(stage).tasks.has(Task::step)) {
+      EXPECT_TRUE(planned.contains(stage)) << info(stage).name << ": let scenes/template.toml ask for it";
+    }
+  }
+}
+
 struct Variant {
   ShippedRun run;
   std::vector<std::string> overrides;

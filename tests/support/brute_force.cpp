@@ -24,7 +24,7 @@ BruteForce::BruteForce(const Scene& scene, const Samples& samples)
     v.push_back(start_velocity(scene.fluid[samples.fluid_shape[i]], h_, x[i]));
   }
   p.assign(n, 0);
-  rho = A_ii = s = p;
+  rho = A_ii = s = reals[Field::A_ii] = p;
   a_n = v_star = a_p = std::vector<Vec2>(n);
   compute_boundary_mass();
 }
@@ -148,6 +148,7 @@ void BruteForce::set_up_system() {
     }
     A_ii[i] = -dt_ * dt_ / (rho[i] * rho[i]) * (glm::dot(sum, sum) + squares);
     s[i] = scene_.iisph.source_weight * (rho0_ - rho[i]) - dt_ * divergence(v_star, i);
+    reals[Field::A_ii][i] = A_ii[i] * rho[i] * rho[i];
     p[i] *= scene_.iisph.warm_start;
   }
 }

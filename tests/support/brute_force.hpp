@@ -3,8 +3,10 @@
 // this.
 #pragma once
 
+#include <map>
 #include <vector>
 
+#include "core/model/fields.hpp"
 #include "core/scene/sampling.hpp"
 #include "core/scene/scene.hpp"
 
@@ -12,16 +14,22 @@ namespace sluice::test {
 
 struct BruteForce {
   std::vector<Vec2> x, v;  ///< state, advanced by step()
-  std::vector<double> p;   ///< pressure, the warm start of the next step
-  std::vector<double> rho, A_ii, s;
+  /// What the last step computed, by the field of the backend that it is compared with.
+  std::map<Field, std::vector<double>> reals;
+  std::map<Field, std::vector<Vec2>> vectors;
+  std::vector<double>& p = reals[Field::p];  ///< the warm start of the next step too
+  std::vector<double>&rho = reals[Field::rho], &s = reals[Field::s];
+  std::vector<Vec2>&a_n = vectors[Field::a_n], &v_star = vectors[Field::v_star], &a_p = vectors[Field::a_p];
+  std::vector<double> A_ii;           ///< with respect to p, and the backend's to p/rho^2
   std::vector<double> boundary_mass;  ///< m with a mirror boundary, else the pseudo-masses
-  std::vector<Vec2> a_n, v_star, a_p;
   uint32_t iterations = 0;
   double residual = 0;
   bool converged = true;
   int dropped = 0, gone_back = 0;  ///< first guesses, and solves that went back to their best
 
   BruteForce(const Scene& scene, const Samples& samples);
+  BruteForce(const BruteForce&) = delete;
+  BruteForce& operator=(const BruteForce&) = delete;
   void step();
 
  private:

@@ -1,18 +1,23 @@
 // Every combination of choices that plans and shaders are made for.
 #pragma once
 
+#include <type_traits>
 #include <vector>
 
 #include "core/model/needs.hpp"
 
 namespace sluice::test {
 
-/// All values of a choice, `none` among them where there is one.
-template <class Enum>
-std::vector<Enum> all_of() {
-  std::vector<Enum> values = values_of<Enum>();
-  if (choices_of(Enum{}).first > 0) values.push_back(Enum{});
-  return values;
+/// All values of a choice, `none` among them where there is one, or false and true.
+template <class Choice>
+std::vector<Choice> all_of() {
+  if constexpr (std::is_same_v<Choice, bool>) {
+    return {false, true};
+  } else {
+    std::vector<Choice> values = values_of<Choice>();
+    if (choices_of(Choice{}).first > 0) values.push_back(Choice{});
+    return values;
+  }
 }
 
 /// The models, each with every value of one more choice.

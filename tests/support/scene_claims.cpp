@@ -54,16 +54,6 @@ class Finite {
   std::string found;
 };
 
-void look_at_models(Finite& finite, const Scene& scene) {
-  finite("viscosity", scene.viscosity);
-  finite("iisph.tolerance", scene.iisph.tolerance);
-  finite("iisph.omega", scene.iisph.omega);
-  finite("iisph.warm_start", scene.iisph.warm_start);
-  finite("iisph.source_weight", scene.iisph.source_weight);
-  if (scene.ssph) finite("ssph.stiffness", scene.ssph->stiffness);
-  if (scene.wcsph) finite("wcsph", Vec2(scene.wcsph->kappa, scene.wcsph->gamma));
-}
-
 /// The claim about samples that does not hold, or nothing.
 std::string broken_by_samples(const Scene& scene) {
   const Samples samples = sample(scene);
@@ -78,15 +68,10 @@ std::string broken_by_samples(const Scene& scene) {
 
 std::string not_finite(const Scene& scene) {
   Finite finite;
-  finite("spacing", scene.spacing);
-  finite("smoothing", scene.smoothing);
-  finite("rest_density", scene.rest_density);
+  finite("settings", settings_of(scene));  // all that goes from a key to a member as it is
   finite("mass", scene.mass());
   finite("domain", std::vector{scene.domain_min, scene.domain_max, scene.domain_max - scene.domain_min});
-  finite("gravity", scene.gravity);
-  finite("central_force", scene.central_force);
   finite("centre", scene.centre);
-  finite("jitter", scene.jitter);
   for (const FluidShape& shape : scene.fluid) {
     std::visit([&](const auto& geometry) { finite(shape.key, geometry); }, shape.geometry);
     std::visit([&](const auto& geometry) { finite("a centre", centre_of(geometry, scene.spacing)); },
@@ -95,11 +80,7 @@ std::string not_finite(const Scene& scene) {
   }
   for (const BoundaryShape& shape : scene.boundary)
     std::visit([&](const auto& geometry) { finite(shape.key, geometry); }, shape.geometry);
-  look_at_models(finite, scene);
   finite("dt", scene.dt);
-  finite("duration", scene.duration);
-  finite("fps", scene.fps);
-  finite("settings", settings_of(scene));
   return finite.found;
 }
 
