@@ -161,6 +161,7 @@ TEST(Needs, ACoefficientOfNothingEqualsNone) {
     if (key.type != KeyType::number || key.range.low != 0 || key.range.low_excluded) continue;
     if (path.find('[') != path.npos || stages_with(path, "0") == stages_with(path, "1e-300")) continue;
     found.insert(path);
+    bool does_something = false;
     for (const char* method : {"iisph", "ssph", "wcsph"}) {
       SCOPED_TRACE(path + ", " + method);
       const std::string chosen = std::string("pressure.method=") + method;
@@ -170,8 +171,9 @@ TEST(Needs, ACoefficientOfNothingEqualsNone) {
         return simulation.simulator->snapshot();
       };
       EXPECT_TRUE(same_bits(run("0"), run("1e-300")));
-      EXPECT_FALSE(same_bits(run("0"), run("1"))) << "it does nothing";
+      does_something = does_something || !same_bits(run("0"), run("1"));
     }
+    EXPECT_TRUE(does_something) << path;
   }
   EXPECT_TRUE(found.contains("viscosity.coefficient"));
 }
