@@ -31,7 +31,7 @@ struct GpuReport {
 
 /// "llvmpipe", "NVIDIA H100 80GB HBM3": the renderer as OpenGL names it, without the rest.
 std::string short_name(const std::string& renderer);
-/// The same for a file: "nvidia-h100-80gb-hbm3.md".
+/// Name of the file for a renderer: "nvidia-h100-80gb-hbm3.md".
 std::string page_name(const std::string& renderer);
 
 std::string gpu_page(const GpuReport& report);

@@ -36,7 +36,7 @@ void visit_field(AnyState& state, Field field, F&& f) {
   }
 }
 
-/// Whether elements of type T are made of reals (or of uints).
+/// Whether elements of type T are made of uints, and not of reals.
 template <class T>
 constexpr bool is_uint = std::is_same_v<T, uint32_t> || std::is_same_v<T, glm::uvec2>;
 

@@ -11,8 +11,8 @@
 
 namespace sluice::cpu {
 
-/// Which functions stages are run with: the plain ones of cpu/, which read like the shaders, or where there
-/// are any those of cpu/simd/ for a set of instructions, each of which knows what stands before it.
+/// The functions that stages are run with: the plain ones of cpu/, which read like the shaders, or those of
+/// cpu/simd/ for a set of instructions, where there are any. Each set includes the sets above it.
 // clang-format off
 #define SLUICE_INSTRUCTIONS(CHOICE)                                             \
   CHOICE(plain, "plain", "one particle at a time, as in the shaders")           \
@@ -22,7 +22,8 @@ namespace sluice::cpu {
 SLUICE_DECLARE_CHOICES(Instructions, SLUICE_INSTRUCTIONS)
 // clang-format on
 
-/// Those that this processor knows and this program was built for, the widest last; `plain` is always there.
+/// Instructions that this processor knows and this program was built for, the widest last; `plain` is always
+/// there.
 std::vector<Instructions> available_instructions();
 Instructions widest_instructions();
 /// "plain, baseline", for people.

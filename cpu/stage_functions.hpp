@@ -14,7 +14,7 @@ namespace sluice::cpu {
 template <class Real>
 struct StageFunctions {
   std::array<void (*)(State<Real>&), stage_count> all;  ///< in the order of Stage
-  /// Those that can be run part by part; null where they cannot.
+  /// Stages run part by part; null where they cannot be.
   PartFunction<Real> pressure_acceleration = nullptr, pressure_operator = nullptr;
 };
 

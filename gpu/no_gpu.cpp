@@ -10,9 +10,7 @@ namespace {
 
 [[noreturn]] void refuse() {
   throw EnvironmentError(
-      "this program was built without OpenGL; install libepoxy-dev, libegl-dev, libstb-dev and "
-      "fonts-dejavu-core "
-      "and build it again with -DSLUICE_GPU=ON");
+      "this program was built without OpenGL; run scripts/setup and build it again with -DSLUICE_GPU=ON");
 }
 
 }  // namespace
@@ -34,6 +32,7 @@ std::string describe(const std::vector<DeviceInfo>&) { return {}; }
 void suit_software_threads(uint64_t) {}
 std::unique_ptr<GpuBackend> make_backend(const Context&, const BackendOptions&) { refuse(); }
 std::string stage_listing(const ShaderLibrary&, Stage, const Needs&) { refuse(); }
+double copy_seconds(const Context&, uint64_t, int) { refuse(); }
 void delete_object(ObjectKind, uint32_t) noexcept {}
 
 }  // namespace sluice::gpu

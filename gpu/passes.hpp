@@ -1,5 +1,5 @@
-// What a stage does in how many dispatches: the one table of stages that take several passes, scratch memory,
-// or part in the end of a solve. All others run once over the range of their row in the stage table.
+// The dispatches of each stage. One table has the stages that take several passes or scratch memory, or that
+// end a solve; every other stage is one dispatch over the range of its row in the stage table.
 #pragma once
 
 #include <vector>

@@ -46,10 +46,10 @@ class ShaderLibrary {
 /// Throws `message`: InputError naming --shader-dir when the shader is the user's, else Error.
 [[noreturn]] void refuse_shader(bool overridden, const std::string& message);
 
-/// A driver's message with "FILE:LINE" in place of the numbers that it knows.
-/// The text with places, "// FILE:LINE", instead of what tells the compiler of them.
+/// Text of a shader with places, "// FILE:LINE", instead of what tells the compiler of them.
 std::string with_places(const ShaderSource& source);
 
+/// Driver's message with "FILE:LINE" in place of the numbers that it knows.
 std::string with_file_names(std::string_view log, const std::vector<std::string>& files);
 
 /// A compiled shader; needed only until its program is linked.

@@ -8,8 +8,8 @@ struct Window::State {};
 
 Window::Window(glm::uvec2, const std::string&) {
   throw EnvironmentError(
-      "this program was built without a window; install libglfw3-dev and build it again with "
-      "-DSLUICE_WINDOW=ON, or make a film with `sluice run SCENE --video FILE.mp4`");
+      "this program was built without a window; run scripts/setup and build it again with -DSLUICE_GPU=ON "
+      "-DSLUICE_WINDOW=ON");
 }
 Window::~Window() = default;
 void Window::make_current() const {}

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "core/error.hpp"
 
@@ -22,27 +23,29 @@ std::string first_text(const Difference& difference) {
                      value_text(place, place.reference), value_text(place, place.other));
 }
 
-/// Text that says which scenes have a stage of this name; empty when there is none.
-std::string where_it_runs(std::string_view name) {
+/// Text that says when a stage of this name runs; empty when there is none.
+std::string when_it_runs(std::string_view name) {
   const auto stage = std::ranges::find(stage_table(), name, &StageInfo::name);
   if (stage == stage_table().end()) return "";
-  const auto need = std::ranges::find(need_table, stage->need, &NeedInfo::need);
-  return fmt::format(", which is for: {}", need->meaning);
+  if (!stage->tasks.has(Task::step)) return ", which runs while a start is relaxed only";
+  return fmt::format(", which is for: {}",
+                     std::ranges::find(need_table, stage->need, &NeedInfo::need)->meaning);
 }
 
 }  // namespace
 
 Stage stage_named(const std::string& option, const std::string& name, const Plan& plan) {
   std::string known;
+  std::set<Stage> seen;
   for (const Stage stage : plan.stages()) {
     if (info(stage).name == name) return stage;
-    if (known.find(info(stage).name) == std::string::npos) known += fmt::format(" {}", info(stage).name);
+    if (seen.insert(stage).second) known += fmt::format(" {}", info(stage).name);
   }
   throw InputError(fmt::format("{}: found \"{}\"{}, expected a stage of this scene's plan:{}", option, name,
-                               where_it_runs(name), known));
+                               when_it_runs(name), known));
 }
 
-double tolerance_on(const gpu::Context& context) { return context.software() ? 0 : 32; }
+double tolerance_on(const gpu::Context& context) { return context.software() ? 0 : hardware_tolerance; }
 
 std::string tolerance_text(double tolerance) {
   return tolerance > 0 ? fmt::format("{:g} ulp of a field's largest value per stage", tolerance)

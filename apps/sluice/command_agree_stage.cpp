@@ -77,6 +77,10 @@ int agree_stage_command(const AgreeOptions& options) {
   fmt::print(verdict, "{}: cpu, {} and gpu, {}\n\n{}\n{} steps; tolerance: {}\n{}\n", scene.title,
              reference->device(), machine.backend().device(), table_of({trial.agreement}), trial.steps,
              tolerance_text(tolerance), trial.agreement.pass ? "they agree" : "THEY DISAGREE");
+  if (trial.failure)
+    fmt::print(verdict, "the run became invalid in step {}: {}\n", trial.failure->step,
+               trial.failure->reason);
+  if (trial.agreement.difference.all_zero) fmt::print(verdict, "only zeros were compared\n");
   if (!options.dump.empty()) print_csv(trial.fields);
   return trial.agreement.pass ? 0 : 1;
 }

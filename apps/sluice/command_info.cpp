@@ -48,7 +48,7 @@ void print_scene(const std::string& name, const std::vector<std::string>& overri
   fmt::print("particles: {} fluid + {} boundary = {}", samples.fluid.size(), samples.boundary.size(),
              samples.fluid.size() + samples.boundary.size());
   if (samples.boundary_dropped > 0)
-    fmt::print(" ({} boundary samples dropped as doubles)", samples.boundary_dropped);
+    fmt::print(" ({} boundary samples dropped, being where others are)", samples.boundary_dropped);
   fmt::print("\nspacing h {:g}, smoothing length H {:g}, particle mass m {:g}\n", scene.spacing,
              scene.smoothing_length(), scene.mass());
   fmt::print("method: {}, ", title_of(scene.method));
@@ -86,13 +86,13 @@ int info_command(const std::optional<std::string>& scene, const std::vector<std:
 }
 
 int shader_command(const std::string& name, const std::vector<std::string>& overrides,
-                   const std::string& stage) {
+                   const std::string& stage, const std::optional<std::filesystem::path>& shader_dir) {
   media::refuse_recording(name);
   refuse_checkpoint(name);
   const Scene scene = load_scene(name, overrides);
   const Plan plan = make_plan(model_of(scene));
-  fmt::print("{}",
-             gpu::stage_listing(gpu::ShaderLibrary(), stage_named("--shader", stage, plan), plan.needs));
+  fmt::print("{}", gpu::stage_listing(gpu::ShaderLibrary(shader_dir), stage_named("--shader", stage, plan),
+                                      plan.needs));
   return 0;
 }
 

@@ -378,9 +378,14 @@ int run_command_line(int argc, char** argv) {
   declare_overrides(*information, changes);
   information->get_option("--set")->needs(shown);
   std::optional<std::string> shader;
-  information->add_option("--shader", shader, "Print the GLSL of this stage as it is compiled for the scene")
-      ->type_name("STAGE")
-      ->needs(shown);
+  auto* shows_shader =
+      information
+          ->add_option("--shader", shader, "Print the GLSL of this stage as it is compiled for the scene")
+          ->type_name("STAGE")
+          ->needs(shown);
+  MachineOptions shown_on;
+  declare_shader_dir(*information, shown_on);
+  information->get_option("--shader-dir")->needs(shows_shader);
 
   PlayOptions playing;
   auto* play = app.add_subcommand("play", "Watch a scene or a recording in a window");
@@ -413,7 +418,8 @@ int run_command_line(int argc, char** argv) {
   if (agree->parsed()) return agree_command(comparison);
   if (study->parsed()) return study_command(studying);
   if (scenes->parsed()) return scenes_command(keys);
-  return shader ? shader_command(*scene, changes, *shader) : info_command(scene, changes);
+  return shader ? shader_command(*scene, changes, *shader, shown_on.shader_dir)
+                : info_command(scene, changes);
 }
 
 }  // namespace sluice::app

@@ -19,12 +19,14 @@ void refuse_options_of_runs(const PlayOptions& options) {
   const bool changes_scene = std::ranges::any_of(
       options.overrides, [](const std::string& text) { return !text.starts_with("output."); });
   if (options.machine.backend == BackendChoice::automatic &&
-      options.machine.precision == Precision::single_ && !options.steps && !options.time && !changes_scene)
+      options.machine.precision == Precision::single_ && !options.machine.instructions && !options.steps &&
+      !options.time && !changes_scene)
     return;
-  throw InputError(fmt::format(
-      "{}: found a recording with an option of runs (--backend, --precision, --steps, --time, --set other "
-      "than of output), expected a scene with it",
-      options.source));
+  throw InputError(
+      fmt::format("{}: found a recording with an option of runs (--backend, --precision, --instructions, "
+                  "--steps, --time, --set other "
+                  "than of output), expected a scene with it",
+                  options.source));
 }
 
 int play_recording(const PlayOptions& options) {

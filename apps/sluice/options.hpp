@@ -80,7 +80,7 @@ struct PlayOptions {
 struct AgreeOptions {
   std::string scene;
   std::vector<std::string> overrides;
-  MachineOptions machine;  ///< backend and precision are given: gpu in float
+  MachineOptions machine;  ///< of the CPU; its backend and precision are not asked for
   uint64_t steps = 200;
   std::optional<std::string> split;
   std::optional<std::string> stage;  ///< the only one to compare

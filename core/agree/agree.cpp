@@ -76,7 +76,10 @@ StageTrial try_stage(const Scene& scene, const Samples& samples, Backend& refere
   comparing.compare_from_now_on(true);
   while (simulator.steps() < steps && !simulator.failure()) simulator.step();
   const Difference& difference = comparing.difference(stage);
-  return {{stage, difference, difference.within(tolerance)}, simulator.steps(), comparing.watched()};
+  return {{stage, difference, difference.within(tolerance)},
+          simulator.steps(),
+          comparing.watched(),
+          simulator.failure()};
 }
 
 }  // namespace sluice

@@ -11,6 +11,9 @@
 
 namespace sluice {
 
+/// Tolerance of stages on graphics cards, in units in the last place of a field's largest value.
+inline constexpr double hardware_tolerance = 32;
+
 struct StageAgreement {
   Stage stage = Stage::count;
   Difference difference;
@@ -61,6 +64,7 @@ struct StageTrial {
   StageAgreement agreement;
   uint64_t steps = 0;                ///< steps in which it was compared
   std::vector<WatchedField> fields;  ///< their values in the last comparison
+  std::optional<Failure> failure;    ///< that ended the run
 };
 
 /// Runs `steps` >= 1 steps on `reference` and in each of them `stage` on `other` too, from the same input.

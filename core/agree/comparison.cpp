@@ -2,8 +2,8 @@
 #include "core/agree/comparison.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <stdexcept>
 #include <type_traits>
@@ -19,7 +19,7 @@ double float_ulp(double value) {
   return std::ldexp(1.0, exponent - (std::numeric_limits<float>::digits - 1));
 }
 
-bool same_bits(double a, double b) { return std::memcmp(&a, &b, sizeof(a)) == 0; }
+bool same_bits(double a, double b) { return std::bit_cast<uint64_t>(a) == std::bit_cast<uint64_t>(b); }
 bool same_bits(uint32_t a, uint32_t b) { return a == b; }
 
 template <class T>

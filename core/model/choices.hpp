@@ -1,6 +1,6 @@
-// Every choice that scenes and options offer, declared once: an enum, and for each of its values the name
-// that people write and what it means. Files, options, messages, documentation and shaders take them from
-// here.
+// The choices of scenes, each declared once: an enum, and for each of its values the name that people write
+// and what it means. Files, options, messages, documentation and shaders take them from here. Choices of the
+// program's options only are declared in the same way where they belong.
 #pragma once
 
 #include <array>
@@ -42,7 +42,7 @@ constexpr bool is_complete(const std::array<ChoiceInfo, count>& rows) {
   inline constexpr auto Enum##_rows = std::to_array<ChoiceInfo>({ROWS(SLUICE_CHOICE_ROW)});    \
   static_assert(is_complete(Enum##_rows));                                                     \
   constexpr ChoiceTable choices_of(Enum) { return {Enum##_rows, 0}; }
-/// The same with a value `none` before them, which nobody can write.
+/// Declares an enum with these rows after a value `none`, which nobody can write.
 #define SLUICE_DECLARE_CHOICES_OR_NONE(Enum, ROWS)                                             \
   enum class Enum : uint32_t { none, ROWS(SLUICE_CHOICE_ENUMERATOR) };                         \
   inline constexpr auto Enum##_rows = std::to_array<ChoiceInfo>({ROWS(SLUICE_CHOICE_ROW)});    \

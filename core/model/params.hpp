@@ -87,8 +87,8 @@ using Params = ParamsOf<double>;
 Params make_params(const Scene& scene, uint32_t particles, double step);
 Params make_params(const Scene& scene, uint32_t particles);
 
-/// Those of a relaxation of the positions: dt = 1, no external force, p starts at 0, s = rho0 - rho, and a
-/// tolerance of its own.
+/// Constants of a relaxation of the positions: dt = 1, no external force, p starts at 0, s = rho0 - rho, and
+/// a tolerance of its own.
 Params make_relax_params(const Scene& scene, uint32_t particles);
 
 /// Grid cells along the edges of the scene's domain, padding included; as doubles, so that nothing overflows.

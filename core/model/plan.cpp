@@ -19,8 +19,8 @@ Plan make_plan(const Model& model, Task task) {
 }
 
 FieldSet Plan::fields() const {
-  // What the simulator itself hands from step to step, whatever the stages are.
-  FieldSet all{Field::id_in, Field::id, Field::p_in, Field::p, Field::rho_in, Field::rho};
+  FieldSet all;
+  for (const auto& [left, found] : handed_on) all = all | FieldSet{left, found};
   for (const Stage stage : stages()) all = all | reads_of(stage, needs) | writes_of(stage, needs);
   return all;
 }

@@ -3,11 +3,17 @@
 #pragma once
 
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "core/model/stages.hpp"
 
 namespace sluice {
+
+/// Fields that the simulator hands from step to step, whatever the stages are: what a step leaves in the
+/// first is in the second when the next begins.
+inline constexpr std::array<std::pair<Field, Field>, 3> handed_on{
+    {{Field::id, Field::id_in}, {Field::p, Field::p_in}, {Field::rho, Field::rho_in}}};
 
 struct Plan {
   Needs needs;

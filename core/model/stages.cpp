@@ -1,6 +1,8 @@
 // The rows of the stage table as values.
 #include "core/model/stages.hpp"
 
+#include <algorithm>
+
 namespace sluice {
 namespace {
 
@@ -24,6 +26,10 @@ namespace {
   StageInfo{#name,         PHASES phases, FIELDS reads, FIELDS writes,   \
             Length::range, &Needs::need,  TASKS tasks,  equation},
 constexpr std::array<StageInfo, stage_count> table{{SLUICE_STAGES(STAGE)}};
+static_assert(std::ranges::none_of(table, &std::string_view::empty, &StageInfo::equation));
+static_assert(std::ranges::none_of(field_table, &std::string_view::empty, &FieldInfo::unit));
+static_assert(std::ranges::none_of(field_table, &std::string_view::empty, &FieldInfo::meaning));
+static_assert(std::ranges::none_of(need_table, &std::string_view::empty, &NeedInfo::meaning));
 #undef STAGE
 #undef TASKS
 #undef FIELDS

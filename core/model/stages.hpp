@@ -67,19 +67,19 @@ enum class Runs { once, each_step, until_solved };
         "sum_b m_b W_ib, B_i = sum_b m_b dW_ib, ...")                                                                   \
   STAGE(density, (search), (id, x, list, index, wall_density), (rho, gradient), fluid, always, (step, relaxation),      \
         "rho_i = m (W_ii + sum_j W_ij) + sum_b m_b W_ib, and dW_ij")                                                    \
-  STAGE(clamp_density, (search), (rho), (rho), fluid, tait, (step),                                                     \
+  STAGE(clamp_density, (search), (rho), (rho), fluid, tait, (step, relaxation),                                                     \
         "rho := max(rho, rho0)")                                                                                        \
   STAGE(external, (forces), (x), (a_n), fluid, always, (step, relaxation),                                              \
         "a_n = g - c (x - centre)")                                                                                     \
-  STAGE(viscosity, (forces), (list, index, gradient, x, v, rho, wall_viscosity, a_n), (a_n), fluid, laplacian, (step),  \
+  STAGE(viscosity, (forces), (list, index, gradient, x, v, rho, wall_viscosity, a_n), (a_n), fluid, laplacian, (step, relaxation),  \
         "a_n += 2 nu sum (m/rho_j) (v_ij.x_ij)/(x_ij.x_ij + 0.01 H^2) dW_ij")                                           \
-  STAGE(xsph, (forces), (list, index, x, v, rho, a_n), (a_n), fluid, xsph, (step),                                      \
+  STAGE(xsph, (forces), (list, index, x, v, rho, a_n), (a_n), fluid, xsph, (step, relaxation),                                      \
         "a_n -= (alpha/dt) m sum_j (v_ij/rho_j) W_ij")                                                                  \
   STAGE(predict, (forces), (v, a_n), (v_star), fluid, always, (step, relaxation),                                       \
         "v* = v + dt a_n")                                                                                              \
-  STAGE(state_equation, (forces), (rho), (p, q), fluid, state_equation, (step),                                         \
+  STAGE(state_equation, (forces), (rho), (p, q), fluid, state_equation, (step, relaxation),                                         \
         "p = max(k (rho/rho0 - 1), 0)")                                                                                 \
-  STAGE(tait, (forces), (rho), (p, q), fluid, tait, (step),                                                             \
+  STAGE(tait, (forces), (rho), (p, q), fluid, tait, (step, relaxation),                                                             \
         "p = kappa rho0/gamma ((rho/rho0)^gamma - 1)")                                                                  \
   STAGE(diagonal, (forces), (list, gradient, wall_gradient, wall_gradient_squares), (A_ii), fluid, linear_system,       \
         (step, relaxation), "A_ii = -dt^2 (|m sum_j dW + B_i|^2 + sum |m dW|^2)")                                       \

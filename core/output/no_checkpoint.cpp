@@ -7,7 +7,7 @@ namespace {
 
 [[noreturn]] void refuse() {
   throw EnvironmentError(
-      "this program was built without checkpoints; install libzstd-dev and libxxhash-dev and build it again "
+      "this program was built without checkpoints; run scripts/setup and build it again "
       "with -DSLUICE_RECORDINGS=ON");
 }
 

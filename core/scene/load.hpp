@@ -17,7 +17,7 @@ namespace sluice {
 /// "--set KEY: key: " for one in an override.
 Scene load_scene(const std::string& scene, std::span<const std::string> overrides = {});
 
-/// The same from TOML text; `file` stands in messages, and its stem becomes the scene's name.
+/// Loads a scene from TOML text; `file` stands in messages, and its stem becomes the scene's name.
 Scene parse_scene(std::string_view text, const std::string& file,
                   std::span<const std::string> overrides = {});
 

@@ -1,5 +1,6 @@
 // --set KEY=VALUE: changes to a scene made before it is checked.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>

@@ -179,9 +179,7 @@ void Simulator::upload_state(const std::vector<Vec2>& x, const std::vector<Vec2>
 
 /// What the last step computed becomes what this one starts from; x_in and v_in are there already.
 void Simulator::begin_step() {
-  backend_.swap(Field::id, Field::id_in);
-  backend_.swap(Field::p, Field::p_in);
-  backend_.swap(Field::rho, Field::rho_in);
+  for (const auto& [left, found] : handed_on) backend_.swap(left, found);
 }
 
 void Simulator::run(std::span<const Stage> stages) {
@@ -349,7 +347,8 @@ Snapshot Simulator::snapshot() const {
           by_id(scalars(Field::rho), id), by_id(scalars(Field::p), id), steps_};
 }
 
-/// It is still there: x and v in the order of the last step, rho and p in that of the step before.
+/// State before the last step, which is still there: x and v in the order of the last step, rho and p in that
+/// of the step before.
 Snapshot Simulator::state_before_step() const {
   const std::vector<uint32_t> id = ids(Field::id), id_before = ids(Field::id_in);
   return {by_id(moved(vectors(Field::x), params_.origin), id), by_id(vectors(Field::v), id),

@@ -15,7 +15,7 @@ struct Particles {
   auto operator()(const auto& field) const { return gather(field.data(), at); }
 };
 
-/// As many particles as there are lanes that follow each other.
+/// Particles that follow each other, as many as there are lanes.
 template <class Real>
 struct Row {
   size_t first;
@@ -150,7 +150,7 @@ void for_each_group(Range part, F&& f) {
   if (first < part.last) f(Tail<Real>{first, part.last - first});
 }
 
-/// The same for all particles.
+/// Calls f for the groups of all particles.
 template <class Real, class F>
 void for_each_group(const State<Real>& state, F&& f) {
   for_each_part(state, [&](Range part) { for_each_group<Real>(part, f); });
@@ -176,7 +176,7 @@ void sum_over_neighbours(const State<Real>& state, Range part, const std::array<
       });
 }
 
-/// The same for all particles.
+/// Calls finish for all particles.
 template <class Real, size_t count, class Term, class Finish, class Fetch = PrefetchNext>
 void sum_over_neighbours(const State<Real>& state, const std::array<Real, count>& start, const Term& term,
                          const Finish& finish, Fetch fetch = {}) {

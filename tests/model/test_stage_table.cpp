@@ -115,28 +115,12 @@ TEST(Plan, ARelaxationIsOfAnInviscidFluidWithALinearSystem) {
   }
 }
 
-TEST(StageTable, WhatRunsOnceIsInThatPhaseOnly) {
-  for (uint32_t s = 0; s < stage_count; ++s)
-    EXPECT_EQ(runs_once(static_cast<Stage>(s)), stage_table()[s].phases.has(Phase::once));
-}
-
 TEST(StageTable, EveryFieldIsWrittenBySomeStageOrIsThereBefore) {
   FieldSet written;
   for (const StageInfo& row : stage_table()) written = written | row.writes;
   for (uint32_t f = 0; f < field_count; ++f) {
     const Field field = static_cast<Field>(f);
     EXPECT_TRUE(written.has(field) || carried(field)) << info(field).name;
-  }
-}
-
-// What a plan allocates its stages use, and no stage without its need's fields reads them.
-TEST(Plan, AllocatesWhatTheFieldsNeedsSay) {
-  for (const Model& model : all_models()) {
-    const Plan plan = make_plan(model);
-    for (uint32_t f = 0; f < field_count; ++f) {
-      const Field field = static_cast<Field>(f);
-      EXPECT_LE(plan.fields().has(field), plan.needs.*info(field).need) << info(field).name;
-    }
   }
 }
 

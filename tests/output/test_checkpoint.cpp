@@ -151,7 +151,7 @@ class DamagedCheckpoint : public testing::Test {
         changed.replace(place, sizeof value, reinterpret_cast<const char*>(&value), sizeof value));
   }
 
-  /// Of the file, of its header or of its facts.
+  /// Whether a place is near an end of the file, of its header or of its facts.
   bool near_an_end(size_t place) const {
     return place < 40 || (place + 20 > facts && place < facts + 244) || place + 20 > bytes.size();
   }

@@ -3,8 +3,14 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "core/scene/load.hpp"
+#include "core/scene/settings.hpp"
 #include "tests/support/mutated_scenes.hpp"
 #include "tests/support/mutation.hpp"
+#include "tests/support/scene_claims.hpp"
 
 namespace sluice::test {
 namespace {
@@ -19,6 +25,16 @@ std::string seed_name(const testing::TestParamInfo<uint64_t>& info) {
   return fmt::format("From{}", info.param);
 }
 INSTANTIATE_TEST_SUITE_P(Seeds, MutatedScenes, testing::Values(0, 1000, 2000, 3000, 4000), seed_name);
+
+// JSON has no number for what is not finite, so that such a one reads back as null.
+TEST(MutatedScenesTest, WhatIsNotFiniteIsNamed) {
+  Scene scene = load_scene("template");
+  EXPECT_EQ(not_finite(scene), "");
+  auto settings = settings_of(scene);
+  settings["time"]["duration"] = std::numeric_limits<double>::infinity();
+  scene.record.settings = settings.dump();
+  EXPECT_EQ(not_finite(scene), "duration is not finite");
+}
 
 TEST(MutatedScenesTest, ASeedGivesTheSameFileEverywhere) {
   const std::vector<std::string> corpus{"[a]\nx = 1\n", "[b]\ny = 22\n"};

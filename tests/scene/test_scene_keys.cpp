@@ -1,9 +1,11 @@
 // The key table is sound, the documentation is made from it, and the template scene shows all of it.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
@@ -112,6 +114,80 @@ std::set<std::string> shown_keys(const std::string& text) {
     if (end != line.npos && line.find(' ') == end) shown.insert(section + "." + line.substr(0, end));
   }
   return shown;
+}
+
+/// A value that is allowed for the key, and not its default; with another number, another value.
+std::string good_value(const SceneKey& key, int number) {
+  switch (key.type) {
+    case KeyType::text: return fmt::format("\"text {}\"", number);
+    case KeyType::choice: return fmt::format("\"{}\"", key.choices[size_t(number) % key.choices.size()].name);
+    case KeyType::integer: return fmt::format("{}", 3 + number);
+    case KeyType::number: {
+      const double low = std::max(key.range.low, 0.0), high = std::min(key.range.high, low + 0.5);
+      return fmt::format("{}", low + (high - low) * (0.25 + 0.5 * number));
+    }
+    default: return fmt::format("[{}, {}]", 1 + number, 2 + number);
+  }
+}
+
+TEST(SceneKeys, AKeyFillsTheMemberOfItsRowAndNoOther) {
+  const auto filled = [](const SceneKey& key, int number) {
+    Scene scene;
+    key.read(parse_override_value(good_value(key, number), "key", 1), scene);
+    return scene;
+  };
+  // All that rows may fill, as text; scenes are not made to be compared.
+  const auto members = [](const Scene& s) {
+    const Ssph ssph = s.ssph.value_or(Ssph{});
+    const Wcsph wcsph = s.wcsph.value_or(Wcsph{});
+    const AdaptiveStep adaptive = s.adaptive.value_or(AdaptiveStep{});
+    std::vector<std::string> all{s.title, s.source};
+    for (const double value : {s.spacing,
+                               s.smoothing,
+                               s.rest_density,
+                               s.gravity.x,
+                               s.gravity.y,
+                               s.central_force,
+                               s.jitter,
+                               double(s.seed),
+                               double(s.relax),
+                               double(s.boundary_model),
+                               double(s.viscosity_model),
+                               s.viscosity,
+                               double(s.method),
+                               ssph.stiffness,
+                               wcsph.kappa,
+                               wcsph.gamma,
+                               s.iisph.tolerance,
+                               double(s.iisph.min_iterations),
+                               double(s.iisph.max_iterations),
+                               s.iisph.omega,
+                               s.iisph.warm_start,
+                               s.iisph.source_weight,
+                               double(s.iisph.solver),
+                               double(s.iisph.wall),
+                               double(s.iisph.stop),
+                               s.duration,
+                               adaptive.cfl,
+                               adaptive.dt_min,
+                               adaptive.dt_max,
+                               s.fps,
+                               double(s.colour)})
+      all.push_back(fmt::format("{}", value));
+    return all;
+  };
+  std::map<size_t, std::string_view> filled_by;
+  for (const SceneKey& key : scene_keys()) {
+    if (!key.read) continue;
+    const auto one = members(filled(key, 0)), two = members(filled(key, 1));
+    size_t changed = 0;
+    for (size_t i = 0; i < one.size(); ++i) {
+      if (one[i] == two[i]) continue;
+      ++changed;
+      EXPECT_TRUE(filled_by.emplace(i, key.path).second) << key.path << " and " << filled_by[i];
+    }
+    EXPECT_EQ(changed, key.type == KeyType::numbers ? 2u : 1u) << key.path;
+  }
 }
 
 TEST(SceneKeys, TheTemplateShowsEveryKey) {

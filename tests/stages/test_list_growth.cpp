@@ -28,7 +28,7 @@ class LongList final : public ForwardingBackend {
   }
 };
 
-/// So soft a fluid that it is crushed, and its lists outgrow the room set aside for them.
+/// A fluid so soft that it is crushed, and its lists outgrow the room set aside for them.
 Scene crushed(const std::string& method) {
   std::vector<std::string> overrides = {"pressure.method=" + method, "pressure.ssph.stiffness=300"};
   if (method == "iisph")

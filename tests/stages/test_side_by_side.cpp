@@ -51,7 +51,7 @@ std::vector<Vec2> scattered() {
   return positions;
 }
 
-/// So many in one cell that they are searched one by one, and some elsewhere.
+/// Positions, so many in one cell that they are searched one by one, and some elsewhere.
 std::vector<Vec2> crowded() {
   std::vector<Vec2> positions = random_positions(700, {8, 8}, {10, 10}, 4);
   append(positions, random_positions(200, {0, 0}, {40, 40}, 5));

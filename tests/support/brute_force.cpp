@@ -153,7 +153,7 @@ void BruteForce::set_up_system() {
   }
 }
 
-/// Of the p whose Ap this is.
+/// Errors of the p whose Ap this is.
 BruteForce::Error BruteForce::error_of(const std::vector<double>& Ap) const {
   double sum = 0, squares = 0, source = 0;
   uint32_t counted = 0;

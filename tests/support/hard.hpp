@@ -17,7 +17,7 @@ struct HardRun {
   HardCase hard;
   bool on_gpu = false;
 
-  /// Of the test.
+  /// Name of the test.
   std::string name() const { return hard.name + (on_gpu ? "_gpu" : "_cpu"); }
 };
 

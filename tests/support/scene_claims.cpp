@@ -47,6 +47,7 @@ class Finite {
   }
   void operator()(std::string_view name, const nlohmann::ordered_json& json) {
     if (json.is_number_float()) (*this)(name, json.get<double>());
+    if (json.is_null() && found.empty()) found = fmt::format("{} is not finite", name);  // so JSON writes it
     if (json.is_structured())
       for (const auto& [key, value] : json.items()) (*this)(key, value);
   }

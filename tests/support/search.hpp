@@ -40,7 +40,7 @@ void for_each_neighbour(const cpu::State<Real>& state, uint32_t i, F&& f) {
 template <class Real>
 std::vector<std::set<uint32_t>> neighbour_sets(const cpu::State<Real>& state);
 
-/// The same by comparing all pairs in Real arithmetic.
+/// Neighbours found by comparing all pairs in Real arithmetic.
 template <class Real>
 std::vector<std::set<uint32_t>> all_pairs(const Scene& scene, const std::vector<Vec2>& positions);
 

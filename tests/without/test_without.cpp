@@ -16,13 +16,13 @@ TEST(Without, AWindowSaysHowToGetOne) {
   EXPECT_EQ(message_of([] {
               media::Window({100, 100}, "title");
             }),
-            "this program was built without a window; install libglfw3-dev and build it again with "
-            "-DSLUICE_WINDOW=ON, or make a film with `sluice run SCENE --video FILE.mp4`");
+            "this program was built without a window; run scripts/setup and build it again with "
+            "-DSLUICE_GPU=ON -DSLUICE_WINDOW=ON");
 }
 
 TEST(Without, RecordingsSayHowToGetThem) {
   const std::string message =
-      "this program was built without recordings; install libzstd-dev and libxxhash-dev and build it again "
+      "this program was built without recordings; run scripts/setup and build it again "
       "with -DSLUICE_RECORDINGS=ON";
   EXPECT_EQ(message_of([] { media::RecordingWriter("a.rec", Scene(), Precision::single_, "device"); }),
             message);
@@ -34,7 +34,7 @@ TEST(Without, RecordingsSayHowToGetThem) {
 
 TEST(Without, CheckpointsSayHowToGetThem) {
   const std::string message =
-      "this program was built without checkpoints; install libzstd-dev and libxxhash-dev and build it again "
+      "this program was built without checkpoints; run scripts/setup and build it again "
       "with -DSLUICE_RECORDINGS=ON";
   EXPECT_EQ(message_of([] { CheckpointWriter("a.ckp", Scene(), Precision::single_, "device"); }), message);
   EXPECT_EQ(message_of([] { read_checkpoint("a.ckp"); }), message);

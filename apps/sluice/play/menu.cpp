@@ -54,7 +54,8 @@ class Grid {
     const uint32_t in_row = std::min(columns_, count_ - row * columns_),
                    column = static_cast<uint32_t>(k) % columns_;
     const auto edge = [](uint32_t whole, uint32_t part, uint32_t parts) {
-      return static_cast<float>(whole * part / parts);
+      const uint32_t pixel = whole * part / parts;
+      return static_cast<float>(pixel);
     };
     const float left = edge(window_.x, column, in_row), top = edge(window_.y, row, rows);
     return {left, top, std::max(left, edge(window_.x, column + 1, in_row) - line),
