@@ -58,7 +58,7 @@ std::string constants(uint32_t pass, uint32_t group_size) {
 std::string params_declaration() {
   std::string text = "layout(std140) uniform params_block {\n";
   for (const ParamsMember& member : params_layout()) {
-    text += fmt::format("  {} {};\n", glsl_type(member.type), member.name);
+    text += fmt::format("  {} {};  // {}\n", glsl_type(member.type), member.name, member.meaning);
   }
   return text + "} params;\n";
 }
@@ -90,6 +90,7 @@ std::string fields(Stage stage, Loads loads) {
     const Field field = static_cast<Field>(i);
     const bool reads = info(stage).reads.has(field), writes = info(stage).writes.has(field);
     if (!reads && !writes) continue;
+    text += fmt::format("// {} [{}]\n", info(field).meaning, info(field).unit);
     text +=
         storage(block_name(field), writes ? "" : "readonly ", glsl_type(info(field).type), info(field).name);
     text += loader(field, writes ? Loads::blocks : loads);
@@ -106,15 +107,15 @@ const std::vector<ParamsMember>& params_layout() {
   static const std::vector<ParamsMember> layout = [] {
     std::vector<ParamsMember> members;
     uint32_t end = 0;
-    const auto add = [&](const char* name, Type type) {
+    const auto add = [&](const char* name, Type type, const char* meaning) {
       const uint32_t bytes = element_bytes(type, 4);
       const uint32_t offset = (end + bytes - 1) / bytes * bytes;
-      members.push_back({name, type, offset});
+      members.push_back({name, type, offset, meaning});
       end = offset + bytes;
     };
-#define REAL(name, value, meaning) add(#name, Type::real);
-#define VEC2(name, value, meaning) add(#name, Type::vec2);
-#define UINT(name, value, meaning) add(#name, Type::uint);
+#define REAL(name, value, meaning) add(#name, Type::real, meaning);
+#define VEC2(name, value, meaning) add(#name, Type::vec2, meaning);
+#define UINT(name, value, meaning) add(#name, Type::uint, meaning);
     SLUICE_PARAMS(REAL, VEC2, UINT)
 #undef REAL
 #undef VEC2

@@ -49,6 +49,7 @@ struct ParamsMember {
   std::string name;
   Type type;
   uint32_t offset;
+  std::string_view meaning;
 };
 const std::vector<ParamsMember>& params_layout();
 std::vector<std::byte> params_bytes(const Params& params);
