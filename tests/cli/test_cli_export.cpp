@@ -78,10 +78,12 @@ TEST(Export, ChangesSizeColourAndOverlay) {
 
 TEST(Export, OfAnInvalidRunShowsItsLastFiniteState) {
   const TemporaryFolder folder;
-  const auto run = run_program({"run", "wcsph_box", "--set", "time.dt=0.0045", "--fps", "1000", "--quiet",
-                                "--record", folder / "a.rec", "--frames", folder / "frames"});
+  const auto run =
+      run_program({"run", "wcsph_box", "--set", "time.dt=0.0045", "--fps", "1000", "--size", "120x120",
+                   "--quiet", "--record", folder / "a.rec", "--frames", folder / "frames"});
   ASSERT_EQ(run.code, 1) << run.err;
-  const auto result = run_program({"export", folder / "a.rec", "--frames", folder / "frames2", "--quiet"});
+  const auto result = run_program(
+      {"export", folder / "a.rec", "--frames", folder / "frames2", "--size", "120x120", "--quiet"});
   ASSERT_EQ(result.code, 0) << result.err;
   EXPECT_EQ(result.out, "");
   const size_t count = files_in(folder / "frames").size();

@@ -73,7 +73,8 @@ TEST(Play, PausesGoesOnAndStartsAgain) {
   EXPECT_GE(std::stoi(played.wait_for("paused at step ")), paused_at);
   played.press({"r"});
   played.wait_for("from the start");
-  EXPECT_EQ(played.screenshot().name, "breaking_dam_000000.png");
+  // With a number more if the run was paused before its first step, too.
+  EXPECT_TRUE(played.screenshot().name.starts_with("breaking_dam_000000"));
   EXPECT_EQ(played.quit().code, 0);
 }
 

@@ -34,7 +34,7 @@ std::string not_finite(const Scene& scene);
 double thread_seconds();
 
 /// What a file may take: enough to tell a hang from a busy machine, and for the sanitizers.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#ifdef SLUICE_SANITIZED
 inline constexpr double most_seconds = 5;
 #else
 inline constexpr double most_seconds = 1;
