@@ -5,7 +5,6 @@
 
 #include "gpu/backend.hpp"
 #include "gpu/context.hpp"
-#include "gpu/storage.hpp"
 
 namespace sluice::draw {
 namespace {
@@ -27,7 +26,8 @@ DeviceFluid::DeviceFluid(const gpu::Context& context)
     : context_(context),
       program_(context, context.shaders().load("draw/draw_order.comp")),
       cloud_(context),
-      largest_(context) {
+      largest_(context),
+      read_back_(context) {
   gpu::make_room(context, largest_, sizeof(uint32_t), "the largest value");
 }
 
@@ -59,9 +59,8 @@ void DeviceFluid::collect(const gpu::GpuBackend& backend, size_t count, Colour c
 
 double DeviceFluid::largest() const {
   context_.make_current();
-  GLfloat largest = 0;
-  glBindBuffer(GL_COPY_READ_BUFFER, largest_.name());
-  glGetBufferSubData(GL_COPY_READ_BUFFER, 0, sizeof(largest), &largest);
+  float largest = 0;
+  read_back_.read(largest_, 0, sizeof(largest), &largest);
   return static_cast<double>(largest);
 }
 

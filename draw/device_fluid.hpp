@@ -4,6 +4,7 @@
 #include "core/scene/scene.hpp"
 #include "draw/particle_pass.hpp"
 #include "gpu/compute_program.hpp"
+#include "gpu/storage.hpp"
 
 namespace sluice::gpu {
 class GpuBackend;
@@ -33,6 +34,7 @@ class DeviceFluid {
   gpu::ComputeProgram program_;
   Cloud cloud_;
   gpu::Buffer largest_;
+  gpu::ReadBack read_back_;
 };
 
 }  // namespace sluice::draw

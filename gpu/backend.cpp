@@ -6,11 +6,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <map>
 #include <optional>
 #include <stdexcept>
 
 #include "core/error.hpp"
+#include "core/text.hpp"
 #include "gpu/context.hpp"
 #include "gpu/stage_program.hpp"
 #include "gpu/storage.hpp"
@@ -42,8 +44,10 @@ class Implementation final : public GpuBackend {
                     : context.software()   ? 64
                                            : 128),
         guard_(options.guard),
-        timer_(context),
+        timer_(context, options.timed),
+        read_back_(context),
         params_(context),
+        pass_constants_(context),
         scratch_(context),
         sweep_groups_(context),
         unused_(context) {
@@ -54,6 +58,12 @@ class Implementation final : public GpuBackend {
     GLint most_texels = 0;
     glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most_texels);
     most_texels_ = options.most_texels > 0 ? options.most_texels : static_cast<uint32_t>(most_texels);
+    GLint alignment = 1;
+    glGetIntegerv(GL_UNIFORM_BUFFER_OFFSET_ALIGNMENT, &alignment);
+    // A block of std140 is as long as its members, rounded up to that of a vec4.
+    const auto each = static_cast<uint32_t>(alignment);
+    constants_stride_ = ((sizeof(PassConstants) + 15) / 16 * 16 + each - 1) / each * each;
+    free_bytes_ = options.free_bytes;
     make_room(context_, sweep_groups_, sweep_group_kinds * sizeof(GroupNumbers), "sweep groups");
     make_room(context_, unused_, 0, "nothing");
   }
@@ -74,11 +84,9 @@ class Implementation final : public GpuBackend {
     fields_ = fields;
     sizes_ = sizes;
     for (auto& memory : memory_) memory.reset();
+    require_room(fields_);
     use(context_.software() && fits_into_texels() ? Loads::texels : Loads::blocks);
-    for (uint32_t i = 0; i < field_count; ++i) {
-      const Field field = static_cast<Field>(i);
-      if (fields.has(field)) make_field(field);
-    }
+    for_each_field(fields, [&](Field field) { make_field(field); });
     make_room(context_, scratch_, scratch_size(sizes) * sizeof(uint32_t), "scratch");
     plan_passes();
   }
@@ -87,10 +95,11 @@ class Implementation final : public GpuBackend {
     context_.make_current();
     sizes_.list = entries;
     if (!fits_into_texels()) use(Loads::blocks);
-    for (const Field field : {Field::index, Field::gradient}) {
-      memory_of(field).reset();  // before the larger one is made
-      make_field(field);
-    }
+    constexpr FieldSet list{Field::index, Field::gradient};
+    for_each_field(list, [&](Field field) { memory_of(field).reset(); });  // before the larger one is made
+    require_room(list);
+    for_each_field(list, [&](Field field) { make_field(field); });
+    plan_passes();
   }
 
   void configure(const Params& params, const Needs& needs) override {
@@ -108,7 +117,7 @@ class Implementation final : public GpuBackend {
   }
 
   /// Enqueues all sweeps; the stage `stop_test` sees to it that those after the last one have no groups to
-  /// run.
+  /// run, itself included.
   void sweep(const std::vector<Stage>& stages, uint32_t times) override {
     context_.make_current();
     const Groups particles = groups_for(sizes_.fluid, group_size_),
@@ -116,10 +125,11 @@ class Implementation final : public GpuBackend {
     std::array<GroupNumbers, sweep_group_kinds> groups;
     groups.fill({particles.x, particles.y, 1});
     groups[static_cast<size_t>(SweepGroups::chunks)] = {chunks.x, chunks.y, 1};
+    groups[static_cast<size_t>(SweepGroups::test)] = groups_of_test(stages);
     glBindBuffer(GL_COPY_WRITE_BUFFER, sweep_groups_.name());
     glBufferSubData(GL_COPY_WRITE_BUFFER, 0, sizeof(groups), groups.data());
     for (uint32_t k = 0; k < times; ++k) {
-      for (const Stage stage : stages) run(stage, !ends_sweeps(stage));
+      for (const Stage stage : stages) run(stage, true);
     }
   }
 
@@ -168,9 +178,7 @@ class Implementation final : public GpuBackend {
   bool guard_is_intact(Field field) const override {
     std::vector<uint32_t> words(guard_);
     context_.make_current();
-    glBindBuffer(GL_COPY_READ_BUFFER, buffer(field).name());
-    glGetBufferSubData(GL_COPY_READ_BUFFER, static_cast<GLintptr>(bytes_of(field)),
-                       static_cast<GLsizeiptr>(words.size() * sizeof(guard_word)), words.data());
+    read_back_.read(buffer(field), bytes_of(field), words.size() * sizeof(guard_word), words.data());
     return std::ranges::all_of(words, [](uint32_t word) { return word == guard_word; });
   }
   const Buffer& buffer(Field field) const override { return memory_of(field).value().buffer; }
@@ -189,12 +197,31 @@ class Implementation final : public GpuBackend {
   uint64_t element_count(Field field) const { return sizes_.of(info(field).length); }
   uint64_t bytes_of(Field field) const { return element_count(field) * element_bytes(info(field).type, 4); }
 
-  bool fits_into_texels() const {
+  template <class F>
+  static void for_each_field(FieldSet fields, F&& f) {
     for (uint32_t i = 0; i < field_count; ++i) {
-      const Field field = static_cast<Field>(i);
-      if (fields_.has(field) && bytes_of(field) / 4 > most_texels_) return false;
+      if (fields.has(static_cast<Field>(i))) f(static_cast<Field>(i));
     }
-    return true;
+  }
+
+  bool fits_into_texels() const {
+    bool fits = true;
+    for_each_field(fields_, [&](Field field) { fits = fits && bytes_of(field) / 4 <= most_texels_; });
+    return fits;
+  }
+
+  /// Refuses fields that the card has no memory for: drivers may put them into the computer's without a word,
+  /// where shaders reach them a hundred times as slowly.
+  void require_room(FieldSet fields) const {
+    const std::optional<uint64_t> free =
+        free_bytes_ > 0 ? std::optional(free_bytes_) : context_.free_memory();
+    uint64_t needed = 0;
+    for_each_field(fields, [&](Field field) { needed += bytes_of(field); });
+    if (!free || needed <= *free) return;
+    throw EnvironmentError(fmt::format(
+        "the fields need {} of graphics memory, and {} has {} free; use fewer particles, or --backend cpu",
+        bytes_text(static_cast<double>(needed)), context_.renderer(),
+        bytes_text(static_cast<double>(*free))));
   }
 
   /// How shaders read from now on.
@@ -226,10 +253,33 @@ class Implementation final : public GpuBackend {
     return spread((count + per_group - 1) / per_group, most_groups_);
   }
 
+  /// The passes of all stages, and their constants one behind the other.
   void plan_passes() {
-    for (uint32_t i = 0; i < stage_count; ++i)
+    std::vector<std::byte> constants;
+    for (uint32_t i = 0; i < stage_count; ++i) {
       passes_[i] = passes_of(static_cast<Stage>(i), sizes_, group_size_);
+      first_constants_[i] = constants.size();
+      for (const Pass& pass : passes_[i]) {
+        const PassConstants values = constants_of(pass, sizes_);
+        constants.resize(constants.size() + constants_stride_);
+        std::memcpy(constants.data() + constants.size() - constants_stride_, &values, sizeof(values));
+      }
+    }
+    glBindBuffer(GL_UNIFORM_BUFFER, pass_constants_.name());
+    glBufferData(GL_UNIFORM_BUFFER, static_cast<GLsizeiptr>(constants.size()), constants.data(),
+                 GL_STATIC_DRAW);
     forget_current();
+  }
+
+  /// Groups of the passes that end sweeps: those of the largest, as all are bounded by their count.
+  GroupNumbers groups_of_test(const std::vector<Stage>& stages) const {
+    uint64_t most = 0;
+    for (const Stage stage : stages) {
+      if (!ends_sweeps(stage)) continue;
+      for (const Pass& pass : passes_[static_cast<size_t>(stage)]) most = std::max(most, pass.count);
+    }
+    const Groups groups = groups_for(most, group_size_);
+    return {groups.x, groups.y, 1};
   }
 
   /// The program of the stage's pass for the needs of now. Needs that make no difference to its text share
@@ -253,7 +303,7 @@ class Implementation final : public GpuBackend {
     for (uint32_t i = 0; i < stage_count; ++i) current_[i].assign(passes_[i].size(), nullptr);
   }
 
-  void bind(const StageProgram& stage_program) const {
+  void bind(const StageProgram& stage_program, size_t constants) const {
     const auto& blocks = stage_program.blocks();
     for (GLuint binding = 0; binding < blocks.size(); ++binding) {
       glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, buffer_for(blocks[binding]).name());
@@ -266,6 +316,8 @@ class Implementation final : public GpuBackend {
                          texel_format(images[unit]));
     }
     glBindBufferBase(GL_UNIFORM_BUFFER, 0, params_.name());
+    glBindBufferRange(GL_UNIFORM_BUFFER, 1, pass_constants_.name(), static_cast<GLintptr>(constants),
+                      static_cast<GLsizeiptr>(constants_stride_));
   }
 
   const Buffer& buffer_for(const BoundBlock& block) const {
@@ -284,15 +336,8 @@ class Implementation final : public GpuBackend {
     for (size_t k = 0; k < passes.size(); ++k) {
       const Pass& pass = passes[k];
       StageProgram& stage_program = program(stage, k);
-      ComputeProgram& compute = stage_program.program();
-      bind(stage_program);
-      compute.set("count", static_cast<uint32_t>(pass.count));
-      compute.set("cells", static_cast<uint32_t>(element_count(Field::C)));
-      compute.set("list_size", static_cast<uint32_t>(sizes_.list));
-      compute.set("fold_length", pass.fold_length);
-      compute.set("fold_from", pass.fold_from);
-      compute.set("fold_to", pass.fold_to);
-      compute.set("fold_first", pass.fold_first ? 1u : 0u);
+      const ComputeProgram& compute = stage_program.program();
+      bind(stage_program, first_constants_[static_cast<size_t>(stage)] + k * constants_stride_);
       if (unless_solved)
         compute.dispatch_indirect(sweep_groups_,
                                   static_cast<uint32_t>(sweep_groups_of(stage)) * sizeof(GroupNumbers));
@@ -320,22 +365,25 @@ class Implementation final : public GpuBackend {
   void read(Field field, T* values, size_t count) const {
     require_size(field, count, count * sizeof(T));
     context_.make_current();
-    glBindBuffer(GL_COPY_READ_BUFFER, buffer(field).name());
-    glGetBufferSubData(GL_COPY_READ_BUFFER, 0, static_cast<GLsizeiptr>(count * sizeof(T)), values);
+    read_back_.read(buffer(field), 0, count * sizeof(T), values);
     context_.check(fmt::format("computing on {}", context_.renderer()));
   }
 
   const Context& context_;
   uint32_t group_size_, most_groups_ = 0, most_texels_ = 0, guard_;
+  uint64_t free_bytes_ = 0;
   FieldSet fields_;
   Sizes sizes_;
   Needs needs_;
   mutable StageTimer timer_;
-  Buffer params_, scratch_, sweep_groups_, unused_;
+  ReadBack read_back_;
+  Buffer params_, pass_constants_, scratch_, sweep_groups_, unused_;
   std::array<std::optional<Memory>, field_count> memory_;
   Loads loads_ = Loads::blocks;
   std::array<std::vector<Pass>, stage_count> passes_;
-  std::map<std::string, StageProgram> programs_;  // by text
+  size_t constants_stride_ = 0;                        ///< bytes from one pass's constants to the next's
+  std::array<size_t, stage_count> first_constants_{};  ///< where those of a stage's first pass stand
+  std::map<std::string, StageProgram> programs_;       // by text
   std::array<std::vector<StageProgram*>, stage_count> current_;
   mutable std::vector<float> staging_;
 };

@@ -24,6 +24,8 @@ struct BackendOptions {
   uint32_t most_groups = 0;  ///< groups per dimension; 0 for the driver's limit
   uint32_t guard = 0;        ///< words of NaN behind each field, to catch writes out of bounds
   uint32_t most_texels = 0;  ///< texels of a buffer read as an image; 0 for the driver's limit
+  uint64_t free_bytes = 0;   ///< graphics memory that is free; 0 for what the driver says, if it does
+  bool timed = true;         ///< whether seconds are counted, which takes the driver some time of its own
 };
 
 /// Backend on the context's device. The context must outlive it.

@@ -9,8 +9,6 @@
 namespace sluice::gpu {
 namespace {
 
-constexpr std::string_view params_prefix = "params_block.";
-
 std::string resource_name(GLuint program, GLenum kind, GLuint index) {
   std::array<GLchar, 256> text{};
   GLsizei length = 0;
@@ -82,29 +80,35 @@ void ComputeProgram::read_interface() {
       glProgramUniform1i(program, location, static_cast<GLint>(images_.size()));
       images_.push_back(name);
     } else if (block < 0) {
-      uniforms_[name] = location;
+      locations_[name] = location;
+      uniforms_.push_back({"", name, static_cast<uint32_t>(type), 0});
     } else {
-      params_.push_back({name.starts_with(params_prefix) ? name.substr(params_prefix.size()) : name,
-                         static_cast<uint32_t>(type), static_cast<uint32_t>(offset)});
+      const std::string block_name = resource_name(program, GL_UNIFORM_BLOCK, static_cast<GLuint>(block)),
+                        prefix = block_name + '.';
+      uniforms_.push_back({block_name, name.starts_with(prefix) ? name.substr(prefix.size()) : name,
+                           static_cast<uint32_t>(type), static_cast<uint32_t>(offset)});
     }
   }
-  const GLuint params = glGetUniformBlockIndex(program, "params_block");
-  if (params != GL_INVALID_INDEX) glUniformBlockBinding(program, params, 0);
+}
+
+void ComputeProgram::bind_uniform_block(const std::string& block, uint32_t binding) {
+  const GLuint index = glGetUniformBlockIndex(program_.name(), block.c_str());
+  if (index != GL_INVALID_INDEX) glUniformBlockBinding(program_.name(), index, binding);
 }
 
 void ComputeProgram::set(const std::string& uniform, uint32_t value) {
-  const auto known = uniforms_.find(uniform);
-  if (known != uniforms_.end()) glProgramUniform1ui(program_.name(), known->second, value);
+  const auto known = locations_.find(uniform);
+  if (known != locations_.end()) glProgramUniform1ui(program_.name(), known->second, value);
 }
 
 void ComputeProgram::set(const std::string& uniform, double value) {
-  const auto known = uniforms_.find(uniform);
-  if (known != uniforms_.end()) glProgramUniform1d(program_.name(), known->second, value);
+  const auto known = locations_.find(uniform);
+  if (known != locations_.end()) glProgramUniform1d(program_.name(), known->second, value);
 }
 
 void ComputeProgram::set(const std::string& uniform, glm::dvec2 value) {
-  const auto known = uniforms_.find(uniform);
-  if (known != uniforms_.end()) glProgramUniform2d(program_.name(), known->second, value.x, value.y);
+  const auto known = locations_.find(uniform);
+  if (known != locations_.end()) glProgramUniform2d(program_.name(), known->second, value.x, value.y);
 }
 
 void ComputeProgram::bind(std::string_view block, const Buffer& buffer) const {

@@ -28,12 +28,13 @@ class ComputeProgram {
     uint32_t stride = 0;   ///< stride of the last member: bytes from one element of its array to the next
   };
   struct UniformMember {
-    std::string name;  ///< name without "params_block."
-    uint32_t type;     ///< OpenGL's, as GL_FLOAT_VEC2
+    std::string block;  ///< empty for a uniform by itself
+    std::string name;   ///< name without that of the block
+    uint32_t type;      ///< OpenGL's, as GL_FLOAT_VEC2
     uint32_t offset;
   };
 
-  /// Compiles and links `source`; errors as those of Shader. `params_block` is bound to 0.
+  /// Compiles and links `source`; errors as those of Shader.
   ComputeProgram(const Context& context, const ShaderSource& source);
 
   /// Invocations per group, as the shader declares them.
@@ -42,10 +43,13 @@ class ComputeProgram {
   const std::vector<StorageBlock>& storage() const { return storage_; }
   /// Images that the shader reads, bound by their place among them.
   const std::vector<std::string>& images() const { return images_; }
-  /// Members of uniform blocks, all of which read the buffer of parameters.
-  const std::vector<UniformMember>& params() const { return params_; }
+  /// Uniforms that the shader uses, in blocks or not.
+  const std::vector<UniformMember>& uniforms() const { return uniforms_; }
 
-  /// Sets a uniform; does nothing when the shader does not use it.
+  /// Lets the uniform block of this name read what is bound to `binding`; does nothing when there is none.
+  void bind_uniform_block(const std::string& block, uint32_t binding);
+
+  /// Sets a uniform by itself; does nothing when the shader does not use it.
   void set(const std::string& uniform, uint32_t value);
   void set(const std::string& uniform, double value);
   void set(const std::string& uniform, glm::dvec2 value);
@@ -67,8 +71,8 @@ class ComputeProgram {
   uint32_t group_size_ = 0;
   std::vector<StorageBlock> storage_;
   std::vector<std::string> images_;
-  std::vector<UniformMember> params_;
-  std::map<std::string, int> uniforms_;
+  std::vector<UniformMember> uniforms_;
+  std::map<std::string, int> locations_;
 };
 
 }  // namespace sluice::gpu

@@ -5,11 +5,13 @@
 #include <epoxy/gl.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/text.hpp"
 #include "gpu/egl_search.hpp"
 
 namespace sluice::gpu {
@@ -23,7 +25,37 @@ std::string gl_string(GLenum name) {
   return text != nullptr ? reinterpret_cast<const char*>(text) : "unknown";
 }
 
+/// Free memory of the device whose context is current, where its driver says so.
+std::optional<uint64_t> free_memory_of_current() {
+  constexpr GLenum available_nvx = 0x9049, free_ati = 0x87fb;  // of GL_NVX_gpu_memory_info and GL_ATI_meminfo
+  std::array<GLint, 4> kilobytes{};
+  if (epoxy_has_gl_extension("GL_NVX_gpu_memory_info"))
+    glGetIntegerv(available_nvx, kilobytes.data());
+  else if (epoxy_has_gl_extension("GL_ATI_meminfo"))
+    glGetIntegerv(free_ati, kilobytes.data());
+  if (kilobytes[0] <= 0) return std::nullopt;
+  return uint64_t{1024} * static_cast<uint64_t>(kilobytes[0]);
+}
+
 }  // namespace
+
+bool environment_says(std::string_view word) {
+  const char* value = std::getenv("SLUICE_GL");
+  bool found = false;
+  for (std::string_view rest = value != nullptr ? value : ""; !rest.empty();) {
+    const size_t end = std::min(rest.find(','), rest.size());
+    const std::string_view one = rest.substr(0, end);
+    if (one != "debug" && one != "hardware") {
+      throw InputError(
+          fmt::format("the environment variable SLUICE_GL: found \"{}\", expected debug or hardware, or both "
+                      "with a comma",
+                      value));
+    }
+    found = found || one == word;
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+  }
+  return found;
+}
 
 struct Context::State {
   State() = default;
@@ -80,7 +112,7 @@ std::string Context::State::create(const Candidate& candidate) {
                                          EGL_CONTEXT_OPENGL_PROFILE_MASK_KHR,
                                          EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT_KHR,
                                          EGL_CONTEXT_FLAGS_KHR,
-                                         EGL_CONTEXT_OPENGL_DEBUG_BIT_KHR,
+                                         environment_says("debug") ? EGL_CONTEXT_OPENGL_DEBUG_BIT_KHR : 0,
                                          EGL_NONE};
   context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes.data());
   if (context == EGL_NO_CONTEXT) return "refuses an OpenGL 4.3 core context: " + egl_error();
@@ -105,9 +137,11 @@ std::string Context::State::accept() {
   renderer = gl_string(GL_RENDERER);
   vendor = gl_string(GL_VENDOR);
   version = gl_string(GL_VERSION);
-  for (const char* name : {"llvmpipe", "softpipe", "swrast", "SwiftShader"}) {
+  for (const char* name : {"llvmpipe", "softpipe", "swrast", "SwiftShader", "Microsoft Basic Render"}) {
     software = software || renderer.find(name) != std::string::npos;
   }
+  software = software && !environment_says("hardware");
+  if (!environment_says("debug")) return "";
   glEnable(GL_DEBUG_OUTPUT);
   glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
   glDebugMessageCallback(&State::on_message, this);
@@ -118,12 +152,13 @@ std::vector<DeviceInfo> list_devices() {
   require_libraries();
   std::vector<DeviceInfo> result;
   for (const Candidate& candidate : device_candidates()) {
-    DeviceInfo info{static_cast<int>(result.size()), candidate.software, "", ""};
+    DeviceInfo info{static_cast<int>(result.size()), candidate.software, "", "", std::nullopt};
     Context::State state;
     info.problem = state.open(candidate);
     if (info.problem.empty()) {
       info.renderer = fmt::format("{}, OpenGL {}", state.renderer, state.version);
       info.software = state.software;
+      info.free_memory = free_memory_of_current();
     }
     result.push_back(std::move(info));
   }
@@ -137,6 +172,8 @@ std::string describe(const std::vector<DeviceInfo>& devices) {
     text += fmt::format("{}{}: {}{}", text.empty() ? "" : "\n", device.index,
                         device.problem.empty() ? device.renderer : "unusable, " + device.problem,
                         device.software ? " (software)" : "");
+    if (device.free_memory)
+      text += fmt::format(", {} of memory free", bytes_text(static_cast<double>(*device.free_memory)));
   }
   return text;
 }
@@ -218,6 +255,10 @@ const std::string& Context::renderer() const { return state_->renderer; }
 const std::string& Context::vendor() const { return state_->vendor; }
 const std::string& Context::version() const { return state_->version; }
 bool Context::software() const { return state_->software; }
+std::optional<uint64_t> Context::free_memory() const {
+  make_current();
+  return free_memory_of_current();
+}
 const ShaderLibrary& Context::shaders() const { return state_->shaders; }
 
 }  // namespace sluice::gpu

@@ -15,9 +15,10 @@ namespace sluice::gpu {
 /// Description of an EGL device: its renderer, or why it can't be used.
 struct DeviceInfo {
   int index = 0;
-  bool software = false;  ///< a processor that plays a graphics card
-  std::string renderer;   ///< GL_RENDERER and the version; empty when unusable
-  std::string problem;    ///< empty when usable
+  bool software = false;                  ///< a processor that plays a graphics card
+  std::string renderer;                   ///< GL_RENDERER and the version; empty when unusable
+  std::string problem;                    ///< empty when usable
+  std::optional<uint64_t> free_memory{};  ///< bytes of its own that are free, where the driver says so
 };
 
 /// EGL devices in their own order; the index is what Context takes. No context is current afterwards.
@@ -34,6 +35,11 @@ void suit_software_threads(uint64_t particles);
 
 /// Throws an EnvironmentError that names the Debian package when the shared library can't be loaded.
 void require_library(const char* library, const char* package);
+
+/// Words that the environment variable SLUICE_GL may hold, for those who look for faults, separated by
+/// commas: `debug` lets drivers check every call and say what they find, which is slow; `hardware` takes a
+/// processor that plays a graphics card for one, so that what is done on cards only can be tried without.
+bool environment_says(std::string_view word);
 
 /// An OpenGL core context of version 4.3 or later, current after construction. Objects made from it keep a
 /// reference: it outlives them and stays where it is.
@@ -63,6 +69,8 @@ class Context {
   const std::string& vendor() const;
   const std::string& version() const;
   bool software() const;  ///< drawn by the processor
+  /// Bytes of the device's own memory that are free, where its driver says so.
+  std::optional<uint64_t> free_memory() const;
   const ShaderLibrary& shaders() const;
 
  private:

@@ -10,6 +10,7 @@
 
 #include "gpu/context.hpp"
 #include "gpu/gl_object.hpp"
+#include "gpu/timer.hpp"
 
 namespace sluice::gpu {
 namespace {
@@ -33,7 +34,7 @@ double seconds_by_timestamps(GLsizeiptr bytes) {
   glQueryCounter(queries[1], GL_TIMESTAMP);
   for (size_t i = 0; i < 2; ++i) glGetQueryObjectui64v(queries[i], GL_QUERY_RESULT, &nanoseconds[i]);
   glDeleteQueries(2, queries.data());
-  return 1e-9 * static_cast<double>(nanoseconds[1] - nanoseconds[0]);
+  return seconds_between(nanoseconds[0], nanoseconds[1]);
 }
 
 }  // namespace

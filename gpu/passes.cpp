@@ -143,8 +143,19 @@ uint64_t most_cells(uint32_t group_size) {
   return runs_per_invocation * group_size * scan_width - 1;
 }
 
+PassConstants constants_of(const Pass& pass, const Sizes& sizes) {
+  return {.count = static_cast<uint32_t>(pass.count),
+          .cells = static_cast<uint32_t>(sizes.of(info(Field::C).length)),
+          .list_size = static_cast<uint32_t>(sizes.list),
+          .fold_length = pass.fold_length,
+          .fold_from = pass.fold_from,
+          .fold_to = pass.fold_to,
+          .fold_first = pass.fold_first ? 1u : 0u};
+}
+
 SweepGroups sweep_groups_of(Stage stage) {
   if (row_of(stage).once_after_end) return SweepGroups::update;
+  if (row_of(stage).ends_sweeps) return SweepGroups::test;
   return info(stage).range == Length::chunks ? SweepGroups::chunks : SweepGroups::particles;
 }
 

@@ -20,6 +20,9 @@ struct Pass {
   bool fold_first = true;
 };
 
+/// Contents of the uniform block of a pass.
+PassConstants constants_of(const Pass& pass, const Sizes& sizes);
+
 std::vector<Pass> passes_of(Stage stage, const Sizes& sizes, uint32_t group_size);
 
 /// Number of elements of scratch memory that the passes of all stages need.

@@ -39,7 +39,7 @@ std::string constants(uint32_t pass, uint32_t group_size) {
   add("most_rounds", most_rounds);
   for (const auto& [name, kind] :
        {std::pair("particles", SweepGroups::particles), std::pair("chunks", SweepGroups::chunks),
-        std::pair("update", SweepGroups::update)})
+        std::pair("update", SweepGroups::update), std::pair("test", SweepGroups::test)})
     add(fmt::format("groups_of_{}", name), 3 * static_cast<uint32_t>(kind));
   add("solve_unfinished", static_cast<uint32_t>(Solve::unfinished));
   add("solve_converged", static_cast<uint32_t>(Solve::converged));
@@ -55,12 +55,15 @@ std::string constants(uint32_t pass, uint32_t group_size) {
   return text;
 }
 
-std::string params_declaration() {
-  std::string text = "layout(std140) uniform params_block {\n";
-  for (const ParamsMember& member : params_layout()) {
-    text += fmt::format("  {} {};  // {}\n", glsl_type(member.type), member.name, member.meaning);
+std::string uniforms() {
+  std::string text;
+  for (const UniformBlock& block : uniform_blocks()) {
+    text += fmt::format("layout(std140) uniform {} {{\n", block.name);
+    for (const UniformMember& member : block.members)
+      text += fmt::format("  {} {};  // {}\n", glsl_type(member.type), member.name, member.meaning);
+    text += &block == &uniform_blocks().front() ? "} params;\n" : "};\n";
   }
-  return text + "} params;\n";
+  return text;
 }
 
 std::string storage(std::string_view block, std::string_view access, std::string_view type,
@@ -103,34 +106,39 @@ std::string fields(Stage stage, Loads loads) {
 std::string texels_name(Field field) { return std::string(info(field).name) + "_texels"; }
 std::string block_name(Field field) { return std::string(info(field).name) + "_block"; }
 
-const std::vector<ParamsMember>& params_layout() {
-  static const std::vector<ParamsMember> layout = [] {
-    std::vector<ParamsMember> members;
+const std::array<UniformBlock, 2>& uniform_blocks() {
+  static const std::array<UniformBlock, 2> blocks = [] {
+    std::array<UniformBlock, 2> made{{{"params_block", {}}, {"pass_block", {}}}};
     uint32_t end = 0;
-    const auto add = [&](const char* name, Type type, const char* meaning) {
+    const auto add = [&](UniformBlock& block, const char* name, Type type, const char* meaning) {
       const uint32_t bytes = element_bytes(type, 4);
-      const uint32_t offset = (end + bytes - 1) / bytes * bytes;
-      members.push_back({name, type, offset, meaning});
+      const uint32_t offset = block.members.empty() ? 0 : (end + bytes - 1) / bytes * bytes;
+      block.members.push_back({name, type, offset, meaning});
       end = offset + bytes;
     };
-#define REAL(name, value, meaning) add(#name, Type::real, meaning);
-#define VEC2(name, value, meaning) add(#name, Type::vec2, meaning);
-#define UINT(name, value, meaning) add(#name, Type::uint, meaning);
+    auto& [params, pass] = made;
+#define REAL(name, value, meaning) add(params, #name, Type::real, meaning);
+#define VEC2(name, value, meaning) add(params, #name, Type::vec2, meaning);
+#define UINT(name, value, meaning) add(params, #name, Type::uint, meaning);
     SLUICE_PARAMS(REAL, VEC2, UINT)
 #undef REAL
 #undef VEC2
 #undef UINT
-    return members;
+#define CONSTANT(name, meaning) add(pass, #name, Type::uint, meaning);
+    SLUICE_PASS_CONSTANTS(CONSTANT)
+#undef CONSTANT
+    return made;
   }();
-  return layout;
+  return blocks;
 }
 
 std::vector<std::byte> params_bytes(const Params& params) {
   const ParamsOf<float> values = params.to<float>();
-  const ParamsMember& last = params_layout().back();
+  const std::vector<UniformMember>& layout = uniform_blocks()[0].members;
+  const UniformMember& last = layout.back();
   const uint32_t size = last.offset + element_bytes(last.type, 4);
   std::vector<std::byte> bytes((size + 15) / 16 * 16);
-  auto member = params_layout().begin();
+  auto member = layout.begin();
   const auto put = [&](const auto& value) {
     static_assert(sizeof(value) == 4 || sizeof(value) == 8);
     std::memcpy(bytes.data() + (member++)->offset, &value, sizeof(value));
@@ -149,12 +157,11 @@ std::string prelude(Stage stage, uint32_t pass, uint32_t group_size, Loads loads
   std::string text = "#version 430 core\n";
   text += fmt::format("layout(local_size_x = {}) in;\n", group_size);
   text += constants(pass, group_size);
-  text += params_declaration();
+  text += uniforms();
   text += fields(stage, loads);
   text += "#define load(field, i) load_##field(i)\n";
   if (has_scratch(stage)) text += storage(scratch_block, "", "uint", "scratch");
   if (ends_sweeps(stage)) text += storage(sweep_groups_block, "", "uint", "sweep_groups");
-  text += "uniform uint count;  // what this pass runs over\n";
   return text;
 }
 

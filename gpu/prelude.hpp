@@ -3,6 +3,7 @@
 // cannot touch a field that the stage table does not give it, nor see another layout.
 #pragma once
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -37,21 +38,44 @@ std::string block_name(Field field);
 /// Name of the field as an image: "x_texels".
 std::string texels_name(Field field);
 /// Numbers of groups in each dimension that stages of a sweep have: those over particles, those over chunks,
-/// and the update, which runs once more when the solve is over.
-enum class SweepGroups : uint32_t { particles, chunks, update, count };
+/// the update, which runs once more when the solve is over, and the test that ends it.
+enum class SweepGroups : uint32_t { particles, chunks, update, test, count };
 
 /// Storage blocks that are no fields: memory for the passes of one stage, and the numbers of groups of the
 /// sweeps to come, as SweepGroups.
 inline constexpr std::string_view scratch_block = "scratch_block", sweep_groups_block = "sweep_groups_block";
 
-/// Place of a parameter in the uniform block "params_block", by the rules of std140.
-struct ParamsMember {
+// Numbers that differ from pass to pass: X(name, meaning). All of them are uint.
+#define SLUICE_PASS_CONSTANTS(X)                                        \
+  X(count, "what this pass runs over")                                  \
+  X(cells, "cells, and the end behind the last one")                    \
+  X(list_size, "entries that the neighbour list has room for")          \
+  X(fold_length, "of a reduction: values per array at this level")      \
+  X(fold_from, "of a reduction: where in scratch they stand")           \
+  X(fold_to, "of a reduction: where in scratch the groups' results go") \
+  X(fold_first, "of a reduction: not 0 at the first level, which reads the stage's sums")
+
+struct PassConstants {
+#define MEMBER(name, meaning) uint32_t name = 0;
+  SLUICE_PASS_CONSTANTS(MEMBER)
+#undef MEMBER
+};
+
+/// Place of a constant in its uniform block, by the rules of std140.
+struct UniformMember {
   std::string name;
   Type type;
   uint32_t offset;
   std::string_view meaning;
 };
-const std::vector<ParamsMember>& params_layout();
+
+/// The uniform blocks of a stage's shader, bound in this order. There are no uniforms but these: params of
+/// the scene, as `params.name`, and constants of the pass, as `name`.
+struct UniformBlock {
+  std::string_view name;
+  std::vector<UniformMember> members;
+};
+const std::array<UniformBlock, 2>& uniform_blocks();
 std::vector<std::byte> params_bytes(const Params& params);
 
 }  // namespace sluice::gpu

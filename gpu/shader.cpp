@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstdlib>
 #include <fstream>
 #include <sstream>
 
@@ -99,6 +100,8 @@ void refuse_shader(bool overridden, const std::string& message) {
 }
 
 ShaderLibrary::ShaderLibrary(std::optional<std::filesystem::path> folder) : folder_(std::move(folder)) {
+  if (const char* folder_of_all = std::getenv("SLUICE_SHADER_DIR"); !folder_ && folder_of_all != nullptr)
+    folder_ = folder_of_all;
   if (!folder_) return;
   std::error_code error;
   if (!std::filesystem::is_directory(*folder_, error)) {

@@ -22,8 +22,9 @@ struct ShaderSource {
 /// Source of all shaders: the binary, or for those that are there a folder of the user's.
 class ShaderLibrary {
  public:
-  /// Library with the shaders of this folder before those of the binary. InputError when the folder is not
-  /// there or has no shader that the program knows.
+  /// Library with the shaders of this folder before those of the binary; without one, of the folder that the
+  /// environment variable SLUICE_SHADER_DIR names. InputError when the folder is not there or has no shader
+  /// that the program knows.
   explicit ShaderLibrary(std::optional<std::filesystem::path> folder = std::nullopt);
 
   /// Text of the shader of this name behind `prelude`, with lines `#include "FILE"` replaced by that file,

@@ -60,9 +60,11 @@ std::string stage_listing(const ShaderLibrary& shaders, Stage stage, const Needs
 
 StageProgram::StageProgram(const Context& context, Stage stage, const ShaderSource& source)
     : program_(context, source), overridden_(source.overridden) {
+  for (uint32_t k = 0; k < uniform_blocks().size(); ++k)
+    program_.bind_uniform_block(std::string(uniform_blocks()[k].name), k);
   check_storage(stage);
   check_images(stage);
-  check_params();
+  check_uniforms();
 }
 
 void StageProgram::refuse(const std::string& what) const {
@@ -101,15 +103,18 @@ void StageProgram::check_images(Stage stage) {
   }
 }
 
-void StageProgram::check_params() const {
-  for (const ComputeProgram::UniformMember& member : program_.params()) {
-    const auto& layout = params_layout();
-    const auto known = std::find_if(layout.begin(), layout.end(),
-                                    [&](const ParamsMember& row) { return row.name == member.name; });
-    if (known != layout.end() && known->offset == member.offset && gl_type(known->type) == member.type)
+void StageProgram::check_uniforms() const {
+  for (const ComputeProgram::UniformMember& found : program_.uniforms()) {
+    const auto block = std::ranges::find(uniform_blocks(), found.block, &UniformBlock::name);
+    if (block == uniform_blocks().end()) {
+      refuse(fmt::format("has the uniform {}{}, expected constants in the blocks that it is given only",
+                         found.name, found.block.empty() ? "" : " in " + found.block));
+    }
+    const auto known = std::ranges::find(block->members, found.name, &UniformMember::name);
+    if (known != block->members.end() && known->offset == found.offset && gl_type(known->type) == found.type)
       continue;
-    refuse(fmt::format("the parameter {} does not have the type and place that the table gives it",
-                       member.name));
+    refuse(
+        fmt::format("the uniform {} does not have the type and place that the table gives it", found.name));
   }
 }
 

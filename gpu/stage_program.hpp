@@ -33,7 +33,7 @@ class StageProgram {
   /// blocks, types, strides or offsets are not those of the tables.
   StageProgram(const Context& context, Stage stage, const ShaderSource& source);
 
-  ComputeProgram& program() { return program_; }
+  const ComputeProgram& program() const { return program_; }
   /// Blocks of the shader, in the order of their bindings.
   const std::vector<BoundBlock>& blocks() const { return blocks_; }
   /// Fields read as images, by unit.
@@ -42,7 +42,7 @@ class StageProgram {
  private:
   void check_storage(Stage stage);
   void check_images(Stage stage);
-  void check_params() const;
+  void check_uniforms() const;
   [[noreturn]] void refuse(const std::string& what) const;
 
   ComputeProgram program_;

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
 
 #include "core/error.hpp"
 #include "core/text.hpp"
@@ -15,6 +16,8 @@ namespace sluice::gpu {
 namespace {
 
 constexpr uint64_t smallest_buffer = 16;
+/// Largest part that is read back at a time.
+constexpr uint64_t largest_staging = uint64_t{4} << 20;
 /// Shaders count the bytes of a buffer in 32 bits.
 constexpr uint64_t largest_buffer = 0xfffffff0;
 
@@ -33,7 +36,7 @@ bool reaches_the_end(const Context& context, const Buffer& buffer, uint64_t byte
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, buffer.name());
   probe.dispatch({1, 1});
   uint32_t found = 0;
-  glGetBufferSubData(GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(last * sizeof(mark)), sizeof(found), &found);
+  ReadBack(context).read(buffer, last * sizeof(mark), sizeof(found), &found);
   return found == mark;
 }
 
@@ -53,7 +56,23 @@ void make_room(const Context& context, const Buffer& buffer, uint64_t bytes, std
            fmt::format("and shaders on {} reach {}", context.renderer(),
                        bytes_text(static_cast<double>(limit))));
   }
+  glBindBuffer(GL_COPY_WRITE_BUFFER, buffer.name());
   glClearBufferData(GL_COPY_WRITE_BUFFER, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
+}
+
+void ReadBack::read(const Buffer& from, uint64_t offset, uint64_t bytes, void* to) const {
+  glBindBuffer(GL_COPY_READ_BUFFER, from.name());
+  glBindBuffer(GL_COPY_WRITE_BUFFER, staging_.name());
+  if (room_ < std::min(bytes, largest_staging)) {
+    room_ = std::clamp(bytes, smallest_buffer, largest_staging);
+    glBufferData(GL_COPY_WRITE_BUFFER, static_cast<GLsizeiptr>(room_), nullptr, GL_STREAM_READ);
+  }
+  for (uint64_t done = 0; done < bytes; done += room_) {
+    const auto part = static_cast<GLsizeiptr>(std::min(room_, bytes - done));
+    glCopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(offset + done), 0,
+                        part);
+    glGetBufferSubData(GL_COPY_WRITE_BUFFER, 0, part, static_cast<std::byte*>(to) + done);
+  }
 }
 
 }  // namespace sluice::gpu

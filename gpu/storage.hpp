@@ -12,4 +12,18 @@ namespace sluice::gpu {
 /// address it; `what` it is for is named in messages.
 void make_room(const Context& context, const Buffer& buffer, uint64_t bytes, std::string_view what);
 
+/// Way of values from buffers that shaders use to the processor: by a small buffer of its own. Drivers move
+/// buffers that are read back to the computer's memory, where shaders reach them across the bus.
+class ReadBack {
+ public:
+  explicit ReadBack(const Context& context) : staging_(context) {}
+
+  /// Copies `bytes` of `from`, from byte `offset` on, to `to`, when all that is under way is done.
+  void read(const Buffer& from, uint64_t offset, uint64_t bytes, void* to) const;
+
+ private:
+  Buffer staging_;
+  mutable uint64_t room_ = 0;
+};
+
 }  // namespace sluice::gpu

@@ -17,13 +17,15 @@ double now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-double timestamp(GLuint query) {
+GLuint64 nanoseconds_at(GLuint query) {
   GLuint64 nanoseconds = 0;
   glGetQueryObjectui64v(query, GL_QUERY_RESULT, &nanoseconds);
-  return 1e-9 * static_cast<double>(nanoseconds);
+  return nanoseconds;
 }
 
 }  // namespace
+
+double seconds_between(uint64_t from, uint64_t to) { return 1e-9 * static_cast<double>(to - from); }
 
 struct StageTimer::Queries {
   struct Timed {
@@ -41,8 +43,8 @@ struct StageTimer::Queries {
   GLuint begun = 0;
 };
 
-StageTimer::StageTimer(const Context& context) : context_(context) {
-  if (context.software()) return;
+StageTimer::StageTimer(const Context& context, bool timed) : context_(context), timed_(timed) {
+  if (!timed || context.software()) return;
   queries_ = std::make_unique<Queries>();
   queries_->pending.reserve(most_pending + 1);
   queries_->unused.resize(2 * (most_pending + 1));
@@ -60,6 +62,7 @@ StageTimer::~StageTimer() {
 }
 
 void StageTimer::begin() {
+  if (!timed_) return;
   if (queries_)
     queries_->begun = queries_->take();
   else
@@ -67,6 +70,7 @@ void StageTimer::begin() {
 }
 
 void StageTimer::end(Stage stage) {
+  if (!timed_) return;
   if (queries_) {
     queries_->pending.push_back({stage, queries_->begun, queries_->take()});
     if (queries_->pending.size() > most_pending) collect(most_pending / 2);
@@ -82,7 +86,8 @@ void StageTimer::collect(size_t keep) {
   const auto kept = queries_->pending.end() - static_cast<std::ptrdiff_t>(keep);
   for (auto timed = queries_->pending.begin(); timed != kept; ++timed) {
     const auto [stage, begin, end] = *timed;
-    seconds_[static_cast<uint32_t>(stage)] += timestamp(end) - timestamp(begin);
+    const uint64_t from = nanoseconds_at(begin), to = nanoseconds_at(end);
+    seconds_[static_cast<uint32_t>(stage)] += seconds_between(from, to);
     queries_->unused.push_back(begin);
     queries_->unused.push_back(end);
   }

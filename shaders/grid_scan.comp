@@ -2,8 +2,6 @@
 // sums of runs of cells, the exclusive prefix sums of these by a single group, and the prefix sums within the runs
 // [Blelloch 1990]. An invocation takes a run of `scan_width` cells.
 
-uniform uint cells;  // and the end behind the last one
-
 #if PASS == 0
 
 void run(uint i) {

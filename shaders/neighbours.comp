@@ -8,8 +8,6 @@
 
 const uint crowded = 0xffffffffu;
 
-uniform uint list_size;  // entries that the list has room for
-
 #if PASS == 0
 
 void run(uint i) {
@@ -41,7 +39,7 @@ void run(uint slice) {
   for (uint i = first; i < last; ++i) longest = max(longest, list[i].y);
   uint needed = longest == crowded ? 0u : slice_width * longest;
   uint place = atomicAdd(list_needed[0], needed);
-  if (longest == crowded || place + needed < place) scratch[0] = 1u;
+  if (longest == crowded || place + needed < place) atomicMax(scratch[0], 1u);
   for (uint i = first; i < last; ++i) list[i].x = place + i - first;
 }
 

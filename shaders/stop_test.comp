@@ -28,6 +28,7 @@ void run(uint i) {
     sweep_groups[groups_of_particles] = 0u;
     sweep_groups[groups_of_chunks] = 0u;
     sweep_groups[groups_of_update] = 0u;  // the last one has run
+    sweep_groups[groups_of_test] = 0u;
     return;
   }
   precise float squares = fold_group(residual_squares, 0u, false),

@@ -14,7 +14,8 @@ float power_less_one(float e, float gamma) {
     if ((whole >> digit & 1u) == 1u) power += e + power * e;
   }
   precise float u = e;
-  for (float digits = gamma - float(whole); digits > 0.0;) {
+  precise float digits = gamma - float(whole);
+  while (digits > 0.0) {
     u /= 1.0 + sqrt(1.0 + u);
     digits *= 2.0;
     if (digits < 1.0) continue;

@@ -207,7 +207,9 @@ int run_command(const RunOptions& options) {
   refuse_clashing_places(options, scene);
   require_memory(scene, options.machine.precision, available_memory(), memory_factor(options.machine));
   const Samples samples = sample(scene);
-  Machine machine(options.machine, samples.fluid.size());
+  MachineOptions machine_options = options.machine;
+  machine_options.time_stages = !options.quiet || options.summary;
+  Machine machine(machine_options, samples.fluid.size());
   if (options.machine.backend != BackendChoice::cpu && !options.quiet)
     fmt::print(stderr, "backend: {}\n", machine.choice());
   if (!machine.gpu_backend() && !options.frames.pictures())

@@ -7,6 +7,13 @@
 #include "cpu/backend.hpp"
 
 namespace sluice::app {
+namespace {
+
+/// Particles from which on `auto` looks for a graphics card: with fewer, a step is over on the CPU before a
+/// card has taken all that it is told to do.
+constexpr uint64_t worth_a_card = 20'000;
+
+}  // namespace
 
 double memory_factor(const MachineOptions& options) {
   return options.backend == BackendChoice::gpu ? 1.5 : 1;
@@ -47,6 +54,9 @@ void Machine::choose(uint64_t particles) {
   }
   if (in_double) return use_cpu("double runs there");
   if (options_.instructions) return use_cpu("--instructions are for it");
+  if (particles < worth_a_card) {
+    return use_cpu(fmt::format("below about {} particles it is the faster one", worth_a_card));
+  }
   try {
     context();
   } catch (const EnvironmentError& error) {
@@ -71,7 +81,7 @@ void Machine::use_cpu(const std::string& why) {
 }
 
 void Machine::use_gpu(const std::string& why) {
-  auto made = gpu::make_backend(*context_);
+  auto made = gpu::make_backend(*context_, {.timed = options_.time_stages});
   gpu_backend_ = made.get();
   backend_ = std::move(made);
   choice_ = fmt::format("gpu, {} ({})", context_->renderer(), why);

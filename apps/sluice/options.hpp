@@ -14,7 +14,7 @@ namespace sluice::app {
 
 // clang-format off
 #define SLUICE_BACKEND_CHOICES(CHOICE)                                          \
-  CHOICE(automatic, "auto", "a graphics card if there is one, else the CPU")    \
+  CHOICE(automatic, "auto", "a graphics card if there is one and enough to do, else the CPU")    \
   CHOICE(cpu, "cpu", "this processor")                                          \
   CHOICE(gpu, "gpu", "OpenGL compute shaders")
 SLUICE_DECLARE_CHOICES(BackendChoice, SLUICE_BACKEND_CHOICES)
@@ -34,6 +34,7 @@ struct MachineOptions {
   std::optional<cpu::Instructions> instructions;  ///< the widest if not given
   std::optional<int> gl_device;
   std::optional<std::filesystem::path> shader_dir;
+  bool time_stages = false;  ///< whether somebody asks how long each stage took
 };
 
 /// Options of what is made of the frames of a run, or of a recording of it.

@@ -52,7 +52,14 @@ std::span<double> flat(std::vector<Vec2>& values) {
 template <class T>
 std::vector<T> by_id(const std::vector<T>& values, const std::vector<uint32_t>& ids) {
   std::vector<T> sorted(values.size());
-  for (size_t i = 0; i < values.size(); ++i) sorted[ids[i]] = values[i];
+  for (size_t i = 0; i < values.size(); ++i) {
+    if (ids[i] >= values.size())
+      throw EnvironmentError(fmt::format(
+          "the device gave back particle {} of {}; its memory or its driver is at fault, try another "
+          "one, or --backend cpu",
+          ids[i], values.size()));
+    sorted[ids[i]] = values[i];
+  }
   return sorted;
 }
 
@@ -236,9 +243,18 @@ void Simulator::solve_pressure(const std::vector<Stage>& sweep, StepReport& repo
   std::array<uint32_t, 2> sweeps{};
   backend_.upload(Field::sweeps, sweeps);
   uint32_t times = first_look_;
+  uint64_t asked_for = 0;
   do {
+    if (asked_for > params_.max_iterations + uint64_t{most_sweeps_unseen}) {
+      throw EnvironmentError(
+          fmt::format("{} does not compute any more: {} sweeps of step {} were asked for, and it counts {} "
+                      "without an end; "
+                      "restart its driver, try another device, or use --backend cpu",
+                      backend_.device(), asked_for, steps_ + 1, sweeps[0]));
+    }
     backend_.sweep(sweep, times);
     backend_.download(Field::sweeps, sweeps);
+    asked_for += times;
     times = sweeps_between_looks;
   } while (static_cast<Solve>(sweeps[1]) == Solve::unfinished);
   std::array<double, 4> solve{};

@@ -2,14 +2,9 @@
 // first level reads the stage's own sums (VALUES), the others what the level before left in scratch. Several arrays
 // of `fold_length` values each, one behind the other, are folded beside each other.
 
-uniform uint fold_length;  // values per array at this level
-uniform uint fold_from;    // where in scratch they stand
-uniform uint fold_to;      // where in scratch the groups' results go
-uniform bool fold_first;   // the first level
-
 float value_to_fold(uint array, uint k) {
   uint at = array * fold_length + k;
-  return fold_first ? VALUES[at] : uintBitsToFloat(scratch[fold_from + at]);
+  return fold_first != 0u ? VALUES[at] : uintBitsToFloat(scratch[fold_from + at]);
 }
 
 float fold_group(uint array, uint group, bool largest) {

@@ -29,6 +29,10 @@ ProgramResult run(const Words& more, const Words& environment = {}) {
   return program.wait();
 }
 
+/// The dam with about 24,000 particles, enough for a graphics card to be looked for.
+const Words large{"--set", "particles.spacing=1.4", "--set", "viscosity.coefficient=2",
+                  "--set", "time.dt=0.007"};
+
 const Words no_drivers{"__EGL_VENDOR_LIBRARY_FILENAMES=/nonexistent.json"};
 
 /// Which libraries of OpenGL the program loaded, by what its loader says.
@@ -133,16 +137,29 @@ TEST(CliBackend, AutomaticInDoubleIsTheCpuWithoutOpenGl) {
 
 TEST(CliBackend, AutomaticTakesGraphicsCardsOnlyAndSaysWhatItTook) {
   const TemporaryFolder folder;
-  const ProgramResult result = run({"--summary", folder / "sum.json"});
-  EXPECT_EQ(result.code, 0) << result.err;
+  const auto run_large = [&](const Words& environment) {
+    Words words{"--summary", folder / "sum.json"};
+    words.insert(words.end(), large.begin(), large.end());
+    const ProgramResult result = run(words, environment);
+    EXPECT_EQ(result.code, 0) << result.err;
+    return result.err;
+  };
   const gpu::Context context;
   if (context.software()) {
-    EXPECT_EQ(result.err,
-              "backend: cpu, 1 threads (OpenGL is drawn by the processor: " + context.renderer() + ")\n");
-  } else {
-    EXPECT_EQ(result.err, "backend: gpu, " + context.renderer() + " (a graphics card)\n");
+    EXPECT_TRUE(has(run_large({}), "backend: cpu, 1 threads (OpenGL is drawn by the processor: " +
+                                       context.renderer() + ")\n"));
+    EXPECT_EQ(read_json(folder / "sum.json")["backend"], "cpu");
   }
-  EXPECT_EQ(read_json(folder / "sum.json")["backend"], context.software() ? "cpu" : "gpu");
+  EXPECT_TRUE(
+      has(run_large({"SLUICE_GL=hardware"}), "backend: gpu, " + context.renderer() + " (a graphics card)\n"));
+  EXPECT_EQ(read_json(folder / "sum.json")["backend"], "gpu");
+}
+
+TEST(CliBackend, AutomaticComputesSmallRunsOnTheCpu) {
+  EXPECT_EQ(run({}, {"SLUICE_GL=hardware"}).err,
+            "backend: cpu, 1 threads (below about 20000 particles it is the faster one)\n");
+  EXPECT_FALSE(loaded_opengl(traced_run({}))) << "nor is OpenGL asked";
+  EXPECT_TRUE(has(run({"--backend", "gpu"}).err, "(as asked for)")) << "but whoever wants the card has it";
 }
 
 TEST(CliBackend, WithoutOpenGlTheGpuIsRefusedWithWhatToInstall) {
@@ -155,10 +172,11 @@ TEST(CliBackend, WithoutOpenGlTheGpuIsRefusedWithWhatToInstall) {
 
 TEST(CliBackend, WithoutOpenGlAutomaticIsTheCpuAndSaysWhy) {
   const TemporaryFolder folder;
-  const ProgramResult result = run({"--summary", folder / "sum.json"}, no_drivers);
+  Words words{"--summary", folder / "sum.json"};
+  words.insert(words.end(), large.begin(), large.end());
+  const ProgramResult result = run(words, no_drivers);
   EXPECT_EQ(result.code, 0) << result.err;
-  EXPECT_TRUE(result.err.starts_with("backend: cpu, 1 threads (no OpenGL 4.3 was found; install"))
-      << result.err;
+  EXPECT_TRUE(has(result.err, "backend: cpu, 1 threads (no OpenGL 4.3 was found; install")) << result.err;
   EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
   EXPECT_EQ(read_json(folder / "sum.json")["backend"], "cpu");
 }

@@ -70,6 +70,17 @@ TEST_F(Contract, ABlockThatTheStageDoesNotHaveIsNamed) {
   EXPECT_TRUE(has(refusal("layout(std430) buffer own_block { vec2 own[]; };", "own[0].x"), "own_block"));
 }
 
+TEST_F(Contract, AUniformOutsideTheBlocksIsNamed) {
+  EXPECT_EQ(refusal("uniform uint own;", "own"),
+            "mine.comp: has the uniform own, expected constants in the blocks that it is given only");
+  EXPECT_EQ(
+      refusal("layout(std140) uniform own_block { uint own; };", "own"),
+      "mine.comp: has the uniform own in own_block, expected constants in the blocks that it is given only");
+  EXPECT_EQ(refusal("layout(std140) uniform pass_block { uint count, cells; };", "cells"), "");
+  EXPECT_EQ(refusal("layout(std140) uniform pass_block { uint cells; };", "cells"),
+            "mine.comp: the uniform cells does not have the type and place that the table gives it");
+}
+
 TEST_F(Contract, AnotherStrideIsNamed) {
   EXPECT_EQ(refusal("layout(std140) buffer wall_density_block { float wall_density[]; };", "wall_density[0]"),
             "mine.comp: an element of wall_density_block has 16 bytes, expected 4");
@@ -93,11 +104,11 @@ TEST_F(Contract, AParameterThatMovedIsNamed) {
   EXPECT_EQ(with("float h; float m;", "params.m"), "");
   EXPECT_TRUE(
       has(with("float m;", "params.m"), "m does not have the type and place that the table gives it"));
-  EXPECT_TRUE(has(with("float h; vec4 m;", "params.m.x"), "parameter m "));
-  EXPECT_TRUE(has(with("uint h;", "params.h"), "parameter h "));
-  EXPECT_TRUE(has(with("float unknown;", "params.unknown"), "parameter unknown "));
+  EXPECT_TRUE(has(with("float h; vec4 m;", "params.m.x"), "uniform m "));
+  EXPECT_TRUE(has(with("uint h;", "params.h"), "uniform h "));
+  EXPECT_TRUE(has(with("float unknown;", "params.unknown"), "uniform unknown "));
   EXPECT_TRUE(
-      has(refusal("uniform own_block { float mine; } own;", "own.mine"), "parameter own_block.mine "));
+      has(refusal("uniform own_block { float mine; } own;", "own.mine"), "uniform mine in own_block"));
 }
 
 TEST_F(Contract, AnImageThatTheStageDoesNotHaveIsNamed) {

@@ -136,10 +136,12 @@ std::vector<float> random_values(uint64_t count, uint64_t seed) {
 
 std::vector<double> in_double(const std::vector<float>& values) { return {values.begin(), values.end()}; }
 
-/// Equal, or both NaN.
-void expect_same(double found, float expected, uint64_t chunks, uint32_t which) {
+/// Equal, or both NaN; or so many units in the last place apart.
+void expect_same(double found, float expected, uint64_t chunks, uint32_t which, double tolerance = 0) {
   const auto wanted = static_cast<double>(expected);
-  EXPECT_TRUE(found == wanted || (std::isnan(found) && std::isnan(wanted)))
+  const double apart = std::abs(found - wanted);
+  EXPECT_TRUE(found == wanted || (std::isnan(found) && std::isnan(wanted)) ||
+              apart <= tolerance * 0x1p-23 * std::abs(wanted))
       << found << " for " << wanted << ", number " << which << " of " << chunks << " chunks";
 }
 
@@ -227,8 +229,10 @@ TEST(GpuFold, TheStopTestIsTheCpus) {
              {std::pair{0u, 0.25}, {1u, 0.25}, {2u, 0.25}, {999u, 0.25}, {999u, 1e30}}) {
           const auto expected = stop_test_of(*cpu, chunks, sums, before, smallest);
           const auto found = stop_test_of(*gpu.backend, chunks, sums, before, smallest);
+          // A quotient and its root; graphics cards need not round them correctly.
+          const double tolerance = gpu.context.software() ? 0 : 4;
           for (size_t k = 0; k < 4; ++k)
-            expect_same(found.first[k], static_cast<float>(expected.first[k]), chunks, before);
+            expect_same(found.first[k], static_cast<float>(expected.first[k]), chunks, before, tolerance);
           EXPECT_EQ(found.second, expected.second) << chunks << " chunks, " << before << " sweeps before";
           outcomes.insert({expected.second[1], expected.first[3]});
         }

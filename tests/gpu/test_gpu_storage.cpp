@@ -54,6 +54,16 @@ TEST(GpuStorage, BeyondTheStatedLimitStagesReachTheWholeBuffer) {
   EXPECT_EQ(sums.back(), 15u);
 }
 
+TEST(GpuStorage, MoreThanTheCardHasIsRefused) {
+  Gpu gpu({.free_bytes = 1'000'000});
+  EXPECT_NO_THROW(
+      gpu.allocate({Field::x_in, Field::index, Field::gradient}, {.fluid = 10'000, .list = 1000}));
+  const std::string needed = "the fields need 1.2 MB of graphics memory, and " + gpu.context.renderer() +
+                             " has 1 MB free; use fewer particles, or --backend cpu";
+  EXPECT_EQ(refusal([&] { gpu.allocate({Field::x_in}, {.fluid = 150'000}); }), needed);
+  EXPECT_EQ(refusal([&] { gpu.resize_list(100'000); }), needed);
+}
+
 /// A folder whose shader for the trial is this.
 struct Trial {
   explicit Trial(const std::string& body) {

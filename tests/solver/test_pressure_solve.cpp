@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/error.hpp"
 #include "core/model/larger.hpp"
 #include "tests/support/simulation.hpp"
 
@@ -260,6 +261,32 @@ TEST(PressureSolve, BarzilaiBorweinNeedsAFractionOfTheSweepsAtNoMoreCompression)
     EXPECT_LT(2 * sweeps, jacobi_sweeps) << dt;
     EXPECT_LE(compression, jacobi_compression) << dt;
   }
+}
+
+/// A device that stopped to compute, as one whose driver was reset: it takes work and does none.
+class DeadDevice final : public ForwardingBackend {
+ public:
+  using ForwardingBackend::ForwardingBackend;
+  void sweep(const std::vector<Stage>&, uint32_t times) override { asked_for += times; }
+  uint64_t asked_for = 0;
+};
+
+TEST(PressureSolve, ADeviceThatDoesNotComputeEndsTheRun) {
+  const Scene scene = shipped("breaking_dam", {iisph("max_iterations=50")});
+  const Samples samples = sample(scene);
+  const auto cpu = cpu::make_backend(Precision::single_, 1);
+  DeadDevice dead(*cpu);
+  Simulator simulator(scene, samples, dead);
+  try {
+    simulator.step();
+    FAIL() << "nothing was said";
+  } catch (const EnvironmentError& error) {
+    const std::string message = error.what();
+    EXPECT_NE(message.find(" does not compute any more: "), std::string::npos) << message;
+    EXPECT_NE(message.find("use --backend cpu"), std::string::npos) << message;
+  }
+  EXPECT_GE(dead.asked_for, 50u) << "a slow solve may take as many";
+  EXPECT_LE(dead.asked_for, 50u + 2 * 64u);
 }
 
 }  // namespace
