@@ -31,14 +31,15 @@ std::string marked(const std::string& text, bool good) { return good ? text : "*
 std::string run_row(const Agreement& agreement) {
   const json& content = agreement.content;
   const json& run = content.at("run");
-  const bool equal = run.at("equal").get<bool>(), pass = content.at("pass").get<bool>();
+  const bool equal = run.at("equal").get<bool>(), pass = content.at("pass").get<bool>(),
+             itself = content.at("gpu_with_itself").at("equal").get<bool>();
   return table_row(
       agreement.name,
       {content.at("steps").dump(),
        equal ? "equal bit for bit"
              : fmt::format("differs from step {} on", run.at("first_difference_step").dump()),
        value_text(run.at("max_dx_over_h")), run.at("iterations_equal").get<bool>() ? "yes" : "no",
-       marked(pass ? "agrees" : "DISAGREES", pass)});
+       marked(itself ? "equal" : "DIFFERS", itself), marked(pass ? "agrees" : "DISAGREES", pass)});
 }
 
 /// "2 ulp, 99.9 %", or a dash for a stage that the scene does without.
@@ -64,8 +65,8 @@ std::vector<std::string> stage_names(const std::vector<Agreement>& agreements) {
 }
 
 std::string tables(const std::vector<Agreement>& agreements) {
-  std::string text =
-      table_head("run", {"steps", "state at the end", "largest distance / h", "same sweeps", "verdict"});
+  std::string text = table_head("run", {"steps", "state at the end", "largest distance / h", "same sweeps",
+                                        "beside itself", "verdict"});
   std::vector<std::string> titles;
   for (const Agreement& agreement : agreements) {
     text += run_row(agreement);

@@ -168,7 +168,32 @@ std::string compared_table(const GpuReport& report) {
   return text;
 }
 
+std::string switch_table(const GpuReport& report) {
+  std::string text =
+      fmt::format("\n### Where `--backend auto` should switch: whole IISPH steps, {} sweeps, per second\n\n",
+                  sweeps_per_step);
+  text += table_head("fluid particles", {fmt::format("CPU, {} threads", report.threads), "GPU", "GPU / CPU"});
+  for (const StepPair& pair : report.small) {
+    text += table_row(std::to_string(pair.n), {number_text(1 / pair.cpu), number_text(1 / pair.gpu),
+                                               number_text(pair.cpu / pair.gpu)});
+  }
+  const std::optional<uint32_t> from = faster_from(report.small);
+  return text + (from ? fmt::format("\nThe GPU is faster from {} particles on.\n", *from)
+                      : "\nThe CPU is faster at the largest of these.\n");
+}
+
 }  // namespace
+
+std::optional<uint32_t> faster_from(const std::vector<StepPair>& sizes) {
+  std::optional<uint32_t> from;
+  for (const StepPair& pair : sizes) {
+    if (pair.gpu >= pair.cpu)
+      from.reset();
+    else if (!from)
+      from = pair.n;
+  }
+  return from;
+}
 
 std::string short_name(const std::string& renderer) {
   return renderer.substr(0, std::min(renderer.find(" ("), renderer.find('/')));
@@ -203,7 +228,7 @@ std::string gpu_page(const GpuReport& report) {
   page += method_text;
   if (report.software) page += software_text;
   page += "\n## Measured\n" + sweep_table(report) + step_table(report) + stage_table_text(report) +
-          compared_table(report);
+          compared_table(report) + switch_table(report);
   return page;
 }
 

@@ -27,7 +27,11 @@ struct GpuReport {
   std::vector<SizeTimes> sizes;
   SizeTimes cpu;  ///< with all threads
   std::vector<SweepTimes> compared;
+  std::vector<StepPair> small;  ///< sizes between which `--backend auto` should switch, in ascending order
 };
+
+/// Number of particles from which on the GPU is the faster one at all sizes measured; none if it never is.
+std::optional<uint32_t> faster_from(const std::vector<StepPair>& sizes);
 
 /// "llvmpipe", "NVIDIA H100 80GB HBM3": the renderer as OpenGL names it, without the rest.
 std::string short_name(const std::string& renderer);

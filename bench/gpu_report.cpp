@@ -20,6 +20,8 @@ constexpr std::array<uint32_t, 4> sizes = {10'000, 100'000, 1'000'000, 10'000'00
 constexpr uint32_t largest_on_software = 1'000'000, size_beside_cpu = 100'000;
 /// The first is breaking_dam at a spacing of 0.8.
 constexpr std::array<uint32_t, 2> compared_sizes = {74'100, size_beside_cpu};
+constexpr std::array<uint32_t, 8> small_sizes = {1'000,  2'500,  5'000,   10'000,
+                                                 20'000, 50'000, 100'000, 250'000};
 constexpr uint64_t copied_bytes = 256 * 1024 * 1024;
 
 StepTimes times_of(const CaseKey& key, const gpu::Context* context) {
@@ -67,6 +69,10 @@ GpuReport measure(const gpu::Context& context) {
   for (const uint32_t size : compared_sizes) {
     fmt::print(stderr, "sluice_bench: sweeps of {} beside the CPU\n", size_text(size));
     report.compared.push_back(compare_sweeps(size, context));
+  }
+  for (const uint32_t size : small_sizes) {
+    fmt::print(stderr, "sluice_bench: steps of {} beside the CPU\n", size_text(size));
+    report.small.push_back(compare_steps(size, context));
   }
   report.cpu = cpu_times();
   for (const uint32_t size : sizes) report.sizes.push_back(size_times(size, context));

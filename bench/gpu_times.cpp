@@ -86,6 +86,11 @@ StepTimes time_some_steps(Case& subject) {
   return times;
 }
 
+CaseKey on_gpu(uint32_t size) { return {PressureMethod::iisph, size, Precision::single_, 1, Machine::gpu}; }
+CaseKey on_cpu(uint32_t size) {
+  return {PressureMethod::iisph, size, Precision::single_, cpu::hardware_threads()};
+}
+
 /// Whole sweeps as a step runs them.
 void run_sweeps(Case& subject, uint32_t times) {
   std::array<uint32_t, 2> sweeps{};
@@ -117,10 +122,21 @@ StepTimes time_steps(Case& subject) {
   return best;
 }
 
+StepPair compare_steps(uint32_t size, const gpu::Context& context) {
+  Case gpu(on_gpu(size), &context), cpu(on_cpu(size));
+  State gpu_start(gpu), cpu_start(cpu);
+  StepPair best{gpu.n(), infinity, infinity};
+  for (int repetition = 0; repetition < step_repetitions; ++repetition) {
+    gpu_start.restore();
+    best.gpu = std::min(best.gpu, time_some_steps(gpu).step);
+    cpu_start.restore();
+    best.cpu = std::min(best.cpu, time_some_steps(cpu).step);
+  }
+  return best;
+}
+
 SweepTimes compare_sweeps(uint32_t size, const gpu::Context& context) {
-  const CaseKey on_gpu{PressureMethod::iisph, size, Precision::single_, 1, Machine::gpu};
-  const CaseKey on_cpu{PressureMethod::iisph, size, Precision::single_, cpu::hardware_threads()};
-  Case gpu(on_gpu, &context), cpu(on_cpu);
+  Case gpu(on_gpu(size), &context), cpu(on_cpu(size));
   gpu.freeze();
   cpu.freeze();
   Yardstick yardstick(gpu.backend(), gpu.params(), gpu.samples());

@@ -23,6 +23,13 @@ struct StepTimes {
 
 StepTimes time_steps(Case& subject);
 
+/// Whole IISPH steps of one size on both, in turns.
+struct StepPair {
+  uint32_t n = 0;
+  double cpu = 0, gpu = 0;  ///< seconds per step, the fastest of several repetitions
+};
+StepPair compare_steps(uint32_t size, const gpu::Context& context);
+
 /// Sweeps by the wall clock, up to and with reading back whether the solve is over, in turns.
 struct SweepTimes {
   uint32_t n = 0;

@@ -37,6 +37,11 @@ void compare_step(const StepReport& a, const StepReport& b, const Simulator& ref
   run.max_dx_over_h = dx <= run.max_dx_over_h ? run.max_dx_over_h : dx;
 }
 
+void note_ends(const Simulator& reference, const Simulator& other, RunAgreement& run) {
+  run.reference_failure = reference.failure();
+  run.other_failure = other.failure();
+}
+
 }  // namespace
 
 bool same_bits(const Snapshot& a, const Snapshot& b) {
@@ -48,16 +53,28 @@ Agreement agree(const Scene& scene, const Samples& samples, const Contestants& c
                 double tolerance) {
   ComparingBackend comparing(contestants.reference, contestants.stage_other);
   Simulator reference(scene, samples, comparing), other(scene, samples, contestants.run_other);
+  std::optional<SteppedBackend> one_by_one;
+  std::optional<Simulator> stepped;
   Agreement result;
+  if (contestants.stepped_other != nullptr) {
+    one_by_one.emplace(*contestants.stepped_other);
+    stepped.emplace(scene, samples, *one_by_one);
+    result.stepped.emplace();
+  }
   result.tolerance = tolerance;
   for (uint64_t step = 1; step <= steps && !reference.failure() && !other.failure(); ++step) {
     comparing.compare_from_now_on(step == 1 || step == (steps + 1) / 2 || step == steps);
     const StepReport a = reference.step(), b = other.step();
     compare_step(a, b, reference, other, scene.spacing, result.run);
+    if (stepped && !stepped->failure())
+      compare_step(stepped->step(), b, *stepped, other, scene.spacing, *result.stepped);
   }
-  result.run.reference_failure = reference.failure();
-  result.run.other_failure = other.failure();
+  note_ends(reference, other, result.run);
   result.pass = result.run.passes(tolerance);
+  if (stepped) {
+    note_ends(*stepped, other, *result.stepped);
+    result.pass = result.pass && result.stepped->passes(0);
+  }
   for (uint32_t i = 0; i < stage_count; ++i) {
     const Difference& difference = comparing.difference(static_cast<Stage>(i));
     if (difference.values == 0) continue;

@@ -1,4 +1,5 @@
-// Do two backends agree? Every stage from identical input, and a whole run beside the other.
+// Do two backends agree? Every stage from identical input, a whole run beside the other, and a run of one of
+// them beside itself, stage by stage.
 #pragma once
 
 #include <optional>
@@ -39,6 +40,8 @@ struct RunAgreement {
 struct Agreement {
   std::vector<StageAgreement> stages;
   RunAgreement run;
+  /// Agreement of the other's run with itself stage by stage, which has to be exact on every device.
+  std::optional<RunAgreement> stepped;
   double tolerance = 0;  ///< tolerance of the stages, in units in the last place of a field's largest value
   bool pass = false;
 };
@@ -48,14 +51,16 @@ bool same_bits(const Snapshot& a, const Snapshot& b);
 
 /// Backends that are held against each other.
 struct Contestants {
-  Backend& reference;    ///< runs alone, and compares its stages with
-  Backend& stage_other;  ///< computes the stages that are compared; never runs by itself
-  Backend& run_other;    ///< runs beside the reference
+  Backend& reference;                ///< runs alone, and compares its stages with
+  Backend& stage_other;              ///< computes the stages that are compared; never runs by itself
+  Backend& run_other;                ///< runs beside the reference
+  Backend* stepped_other = nullptr;  ///< of the same device: runs beside that one, stage by stage
 };
 
 /// Runs `steps` >= 1 steps. Stages are compared in the first step, in the middle and in the last. With
 /// tolerance 0 the runs have to be equal too; otherwise they only have to end alike, since after an impact
-/// the smallest difference grows without bound.
+/// the smallest difference grows without bound. What a device does wrong in a whole run only, such as not to
+/// wait, shows all the same in its comparison with itself.
 Agreement agree(const Scene& scene, const Samples& samples, const Contestants& contestants, uint64_t steps,
                 double tolerance);
 

@@ -160,6 +160,26 @@ Difference ComparingBackend::compare_output(Stage stage) const {
   return result;
 }
 
+void SteppedBackend::allocate(FieldSet fields, const Sizes& sizes) {
+  sizes_ = sizes;
+  active_->allocate(fields, sizes);
+}
+
+void SteppedBackend::resize_list(uint64_t entries) {
+  sizes_.list = entries;
+  active_->resize_list(entries);
+}
+
+void SteppedBackend::configure(const Params& params, const Needs& needs) {
+  needs_ = needs;
+  active_->configure(params, needs);
+}
+
+void SteppedBackend::run(Stage stage) {
+  active_->run(stage);
+  for_each_field(writes_of(stage, needs_), [&](Field field) { values_of(*active_, field, sizes_); });
+}
+
 void SplitBackend::allocate(FieldSet fields, const Sizes& sizes) {
   active_ = &before_;
   fields_ = fields;

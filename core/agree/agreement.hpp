@@ -95,6 +95,22 @@ class ComparingBackend final : public ForwardingBackend {
   std::array<Difference, stage_count> found_;
 };
 
+/// Reads back what every stage wrote, before the next one runs: the device does one thing at a time, and
+/// nothing that it should have waited for can be missing.
+class SteppedBackend final : public ForwardingBackend {
+ public:
+  explicit SteppedBackend(Backend& backend) : ForwardingBackend(backend) {}
+
+  void allocate(FieldSet fields, const Sizes& sizes) override;
+  void resize_list(uint64_t entries) override;
+  void configure(const Params& params, const Needs& needs) override;
+  void run(Stage stage) override;
+
+ private:
+  Sizes sizes_;
+  Needs needs_;
+};
+
 /// Runs each step on `before` up to the stage `split` and with it, and on `after` from there to the step's
 /// end.
 class SplitBackend final : public ForwardingBackend {

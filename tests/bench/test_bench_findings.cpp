@@ -33,6 +33,8 @@ std::string agreement(bool pass, const std::string& max_ulp) {
          max_ulp + R"(, "equal_share": 0.999999, "tolerance": 0, "pass": )" + verdict + R"(}],
     "run": {"equal": )" +
          verdict + R"(, "first_difference_step": 17, "max_dx_over_h": 0.25, "iterations_equal": true},
+    "gpu_with_itself": {"equal": )" +
+         verdict + R"(},
     "pass": )" +
          verdict + "}";
 }
@@ -65,7 +67,7 @@ TEST_F(BenchFindings, ALogWithoutAVerdictIsNotGood) {
 TEST_F(BenchFindings, AgreementIsGivenByRunAndStage) {
   const Finding finding = bench::read_agreement({written("dam.json", agreement(true, "3"))});
   EXPECT_TRUE(finding.good);
-  EXPECT_TRUE(says(finding, "| dam | 200 | equal bit for bit | 0.25 | yes | agrees |"));
+  EXPECT_TRUE(says(finding, "| dam | 200 | equal bit for bit | 0.25 | yes | equal | agrees |"));
   EXPECT_TRUE(says(finding, "| density | 0 ulp, 100 % |"));
   EXPECT_TRUE(says(finding, "| source | 3 ulp, 99.999 % |")) << "a share must not be rounded up to all";
 }
@@ -74,7 +76,8 @@ TEST_F(BenchFindings, OneDisagreementSpoilsAll) {
   const Finding finding = bench::read_agreement(
       {written("bad.json", agreement(false, "null")), written("good.json", agreement(true, "0"))});
   EXPECT_FALSE(finding.good);
-  EXPECT_TRUE(says(finding, "| bad | 200 | differs from step 17 on | 0.25 | yes | **DISAGREES** |"));
+  EXPECT_TRUE(
+      says(finding, "| bad | 200 | differs from step 17 on | 0.25 | yes | **DIFFERS** | **DISAGREES** |"));
   EXPECT_TRUE(says(finding, "| source | **not finite ulp, 99.999 %** | 0 ulp, 99.999 % |"));
 }
 

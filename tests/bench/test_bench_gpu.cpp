@@ -72,6 +72,18 @@ TEST(BenchGpu, SweepBytesAreThoseOfTheStageTable) {
                    2 * (4 + 8) * entries + n * (acceleration + change + residual + update + sums) + of_all);
 }
 
+TEST(BenchGpu, TheSwitchIsWhereTheGpuIsFasterFromThereOn) {
+  EXPECT_EQ(bench::faster_from({}), std::nullopt);
+  EXPECT_EQ(bench::faster_from({{10, 1, 2}, {20, 1, 1}}), std::nullopt);
+  EXPECT_EQ(bench::faster_from({{10, 3, 2}, {20, 1, 2}, {40, 3, 2}, {80, 4, 2}}), 40u)
+      << "10 was an accident";
+  const gpu::Context context;
+  const bench::StepPair pair = bench::compare_steps(small, context);
+  EXPECT_GT(pair.n, 0u);
+  EXPECT_GT(pair.cpu, 0);
+  EXPECT_GT(pair.gpu, 0);
+}
+
 TEST(BenchGpu, PagesAreNamedAfterTheGpu) {
   EXPECT_EQ(bench::page_name("llvmpipe (LLVM 15.0.6, 256 bits)"), "llvmpipe.md");
   EXPECT_EQ(bench::page_name("NVIDIA H100 80GB HBM3/PCIe/SSE2"), "nvidia-h100-80gb-hbm3.md");

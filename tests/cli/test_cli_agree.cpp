@@ -44,13 +44,19 @@ TEST(CliAgree, WritesATableAndTheSameAsJson) {
   EXPECT_EQ(result.code, 0) << result.err;
   EXPECT_TRUE(has(result.out, "they agree")) << result.out;
   const nlohmann::ordered_json json = read_json(folder / "agree.json");
-  EXPECT_EQ(keys_of(json), (Words{"format", "scene", "device", "steps", "stages", "run", "pass"}));
+  EXPECT_EQ(keys_of(json),
+            (Words{"format", "scene", "device", "steps", "stages", "run", "gpu_with_itself", "pass"}));
   EXPECT_EQ(json["format"], 1);
   EXPECT_EQ(json["scene"], "breaking_dam");
   EXPECT_EQ(json["steps"], 12);
   EXPECT_EQ(json["pass"], true);
-  EXPECT_EQ(keys_of(json["run"]),
-            (Words{"equal", "first_difference_step", "max_dx_over_h", "iterations_equal"}));
+  for (const char* run : {"run", "gpu_with_itself"}) {
+    EXPECT_EQ(keys_of(json[run]),
+              (Words{"equal", "first_difference_step", "max_dx_over_h", "iterations_equal"}));
+  }
+  EXPECT_EQ(json["gpu_with_itself"]["equal"], true) << "on any device";
+  EXPECT_TRUE(has(result.out, "the GPU's run with itself, stage by stage: equal to the last bit"))
+      << result.out;
   std::set<std::string> planned;
   for (const Stage stage : make_plan(model_of(load_scene("breaking_dam"))).stages())
     planned.insert(std::string(info(stage).name));
