@@ -1,30 +1,20 @@
 // Every shader of a stage is GLSL by Khronos's reference compiler: each pass, each combination of models,
-// read from blocks and from images. Mesa accepts more than other drivers do.
+// read from blocks and from images. Mesa accepts more than other drivers do. And what that compiler makes of
+// them leaves no driver free to contract operations, which llvmpipe never does.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
-#include <set>
 #include <string>
 
 #include "core/output/output_file.hpp"
 #include "gpu/stage_program.hpp"
-#include "tests/support/models.hpp"
-#include "tests/support/run_program.hpp"
+#include "tests/support/all_shaders.hpp"
+#include "tests/support/spirv.hpp"
 
 namespace sluice::test {
 namespace {
-
-/// The passes of a stage, each number once.
-std::vector<gpu::Pass> passes_of(Stage stage) {
-  const Sizes many_chunks{.fluid = 300'000, .cells = 1000};
-  std::vector<gpu::Pass> passes;
-  for (const gpu::Pass& pass : gpu::passes_of(stage, many_chunks, 64)) {
-    if (passes.empty() || passes.back().number != pass.number) passes.push_back(pass);
-  }
-  return passes;
-}
 
 /// glslangValidator's complaints about all shaders in the folder; nothing when there are none.
 std::string complaints(const TemporaryFolder& folder) {
@@ -34,26 +24,43 @@ std::string complaints(const TemporaryFolder& folder) {
   return std::system(command.c_str()) == 0 ? "" : read_file(log);
 }
 
+/// Compiles all shaders in the folder to SPIR-V; what a driver may contract, file by file, or what went
+/// wrong.
+std::string contractable_in(const TemporaryFolder& folder) {
+  if (const std::string said = compile_to_spirv(folder); !said.empty()) return said;
+  std::string text;
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path)) {
+    if (entry.path().extension() != ".spv") continue;
+    const auto module = instructions_of(read_spirv(entry.path()));
+    if (module.empty()) return entry.path().string() + " is empty";
+    if (const int found = contractable(module); found > 0)
+      text += entry.path().stem().stem().string() + ": " + std::to_string(found) + '\n';
+  }
+  return text;
+}
+
 TEST(Glsl, EveryShaderOfEveryStageIsValid) {
   const TemporaryFolder folder;
-  const gpu::ShaderLibrary shaders;
-  std::set<std::string> seen;
-  int count = 0;
-  for (uint32_t s = 0; s < stage_count; ++s) {
-    const Stage stage = static_cast<Stage>(s);
-    for (const gpu::Pass& pass : passes_of(stage)) {
-      for (const Model& model : all_models()) {
-        for (const gpu::Loads loads : {gpu::Loads::blocks, gpu::Loads::texels}) {
-          const std::string text = gpu::stage_source(shaders, stage, needs_of(model), pass, 64, loads).text;
-          if (!seen.insert(text).second) continue;
-          write_file(folder / (std::string(info(stage).name) + '_' + std::to_string(count++) + ".comp"),
-                     text);
-        }
-      }
-    }
-  }
+  const int count = write_all_stages(folder);
   EXPECT_GT(count, 2 * static_cast<int>(stage_count)) << "some stages have several passes, or ask for needs";
   EXPECT_EQ(complaints(folder), "");
+}
+
+TEST(Glsl, NoDriverMayContractWhatAStageComputes) {
+  const TemporaryFolder folder;
+  write_all_stages(folder);
+  EXPECT_EQ(contractable_in(folder), "");
+}
+
+TEST(Glsl, AContractionThatIsAllowedIsFound) {
+  const TemporaryFolder folder;
+  const gpu::Pass pass = passes_of(Stage::integrate).front();
+  std::string text =
+      gpu::stage_source(gpu::ShaderLibrary(), Stage::integrate, {}, pass, 64, gpu::Loads::blocks).text;
+  const std::string word = "precise vec2 x_next";
+  text.replace(text.find(word), word.size(), "vec2 x_next");
+  write_file(folder / "fused.comp", text);
+  EXPECT_EQ(contractable_in(folder), "fused: 2\n") << "a product and a sum";
 }
 
 TEST(Glsl, EveryOtherShaderIsValid) {
