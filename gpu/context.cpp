@@ -158,7 +158,7 @@ std::vector<DeviceInfo> list_devices() {
     if (info.problem.empty()) {
       info.renderer = fmt::format("{}, OpenGL {}", state.renderer, state.version);
       info.software = state.software;
-      info.free_memory = free_memory_of_current();
+      if (!state.software) info.free_memory = free_memory_of_current();
     }
     result.push_back(std::move(info));
   }
@@ -256,6 +256,7 @@ const std::string& Context::vendor() const { return state_->vendor; }
 const std::string& Context::version() const { return state_->version; }
 bool Context::software() const { return state_->software; }
 std::optional<uint64_t> Context::free_memory() const {
+  if (state_->software) return std::nullopt;
   make_current();
   return free_memory_of_current();
 }

@@ -69,7 +69,7 @@ class Context {
   const std::string& vendor() const;
   const std::string& version() const;
   bool software() const;  ///< drawn by the processor
-  /// Bytes of the device's own memory that are free, where its driver says so.
+  /// Bytes of a card's own memory that are free, where its driver says so.
   std::optional<uint64_t> free_memory() const;
   const ShaderLibrary& shaders() const;
 
