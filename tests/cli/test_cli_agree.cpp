@@ -168,7 +168,7 @@ TEST(CliInfo, ShowsAShaderAsItIsCompiled) {
   const ProgramResult result = run_program({"info", "breaking_dam", "--shader", "diagonal"});
   EXPECT_EQ(result.code, 0) << result.err;
   EXPECT_TRUE(has(result.out, "const bool needs_thesis_wall = true;")) << result.out;
-  EXPECT_TRUE(has(result.out, "// diagonal.comp:1")) << result.out;
+  EXPECT_TRUE(has(result.out, "diagonal.comp:")) << result.out;
   EXPECT_FALSE(has(result.out, "#include")) << result.out;
   EXPECT_TRUE(
       has(run_program({"info", "breaking_dam", "--shader", "stop_test"}).out, "// ---- stop_test, pass 1"));
