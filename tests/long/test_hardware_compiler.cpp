@@ -13,6 +13,9 @@
 #include "tests/support/all_shaders.hpp"
 #include "tests/support/spirv.hpp"
 
+// Vulkan's structures are filled by name; what is not named is zero, as it should be.
+#pragma GCC diagnostic ignored "-Wmissing-field-initializers"
+
 namespace sluice::test {
 namespace {
 
