@@ -6,10 +6,10 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "core/scene/load.hpp"
 #include "core/text.hpp"
 #include "cpu/backend.hpp"
 #include "gpu/backend.hpp"
+#include "sluice/load.hpp"
 
 namespace sluice::bench {
 namespace {

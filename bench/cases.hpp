@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "core/model/params.hpp"
-#include "core/scene/sampling.hpp"
 #include "core/solver/simulator.hpp"
 #include "cpu/backend.hpp"
+#include "sluice/sampling.hpp"
 
 namespace sluice::gpu {
 class Context;

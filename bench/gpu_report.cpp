@@ -8,10 +8,11 @@
 #include <fstream>
 
 #include "bench/gpu_page.hpp"
-#include "core/error.hpp"
 #include "cpu/backend.hpp"
 #include "gpu/context.hpp"
 #include "gpu/copy.hpp"
+#include "sluice/error.hpp"
+#include "sluice/version.hpp"
 
 namespace sluice::bench {
 namespace {

@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "core/scene/load.hpp"
 #include "core/solver/simulator.hpp"
 #include "cpu/backend.hpp"
 #include "draw/painter.hpp"
 #include "gpu/context.hpp"
 #include "media/recording.hpp"
+#include "sluice/load.hpp"
 
 namespace sluice::bench {
 namespace {

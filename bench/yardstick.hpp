@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "bench/yardstick_parts.hpp"
-#include "core/scene/sampling.hpp"
+#include "sluice/sampling.hpp"
 
 namespace sluice::bench {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/model/choices.hpp"
+#include "sluice/choices.hpp"
 
 namespace sluice {
 

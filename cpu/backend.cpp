@@ -11,9 +11,9 @@
 #include <stdexcept>
 #include <type_traits>
 
-#include "core/error.hpp"
 #include "cpu/simd/sweep.hpp"
 #include "cpu/stage_functions.hpp"
+#include "sluice/error.hpp"
 
 namespace sluice::cpu {
 namespace {
@@ -154,6 +154,12 @@ class CpuBackend final : public Backend {
       else
         copy_converted(scalars<uint32_t>(from), values, field);
     });
+  }
+
+  std::span<const std::byte> memory(Field field) const override {
+    std::span<const std::byte> bytes;
+    visit_field(state_, field, [&](const auto& values) { bytes = std::as_bytes(std::span(values)); });
+    return bytes;
   }
 
   double seconds(Stage stage) const override { return seconds_[static_cast<uint32_t>(stage)]; }

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "core/model/choices.hpp"
 #include "core/solver/backend.hpp"
+#include "sluice/choices.hpp"
 
 namespace sluice::cpu {
 

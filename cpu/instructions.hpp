@@ -13,10 +13,10 @@
 #include <numeric>
 #include <vector>
 
-#include "core/model/choices.hpp"
 #include "core/model/larger.hpp"
 #include "core/model/stages.hpp"
 #include "cpu/state.hpp"
+#include "sluice/choices.hpp"
 
 #ifndef SLUICE_SET
 #define SLUICE_SET plain

@@ -1,10 +1,10 @@
 // The fluid as a picture draws it, taken from the GPU backend's buffers without leaving the graphics card.
 #pragma once
 
-#include "core/scene/scene.hpp"
 #include "draw/particle_pass.hpp"
 #include "gpu/compute_program.hpp"
 #include "gpu/storage.hpp"
+#include "sluice/scene.hpp"
 
 namespace sluice::gpu {
 class GpuBackend;

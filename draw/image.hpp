@@ -13,14 +13,9 @@
 #include <utility>
 #include <vector>
 
-namespace sluice::draw {
+#include "sluice/pictures.hpp"
 
-/// Picture with three bytes per pixel (red, green, blue), rows without padding, top row first.
-struct Image {
-  uint32_t width = 0;
-  uint32_t height = 0;
-  std::vector<uint8_t> rgb;
-};
+namespace sluice::draw {
 
 /// Encodes a picture as the bytes of a PNG file. InputError when the picture is empty or beyond a gibibyte.
 std::string encode_png(const Image& image);

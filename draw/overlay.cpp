@@ -7,9 +7,9 @@
 #include <cmath>
 #include <cstddef>
 
-#include "core/error.hpp"
 #include "gpu/context.hpp"
 #include "gpu/embedded.hpp"
+#include "sluice/error.hpp"
 
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wconversion"

@@ -41,13 +41,14 @@ double depth_of(const Scene& scene, const Samples& samples) {
 
 }  // namespace
 
-Painter::Painter(const gpu::Context& context, const Scene& scene, const Samples& samples, glm::uvec2 size)
+Painter::Painter(const gpu::Context& context, Outliving<Scene> scene, Outliving<Samples> samples,
+                 glm::uvec2 size)
     : context_(context),
       scene_(scene),
       samples_(samples),
-      renderer_(context, size, scene.domain_min, scene.domain_max, scene.spacing),
-      depth_(depth_of(scene, samples)) {
-  renderer_.set_boundary(samples.boundary);
+      renderer_(context, size, scene_.domain_min, scene_.domain_max, scene_.spacing),
+      depth_(depth_of(scene_, samples_)) {
+  renderer_.set_boundary(samples_.boundary);
 }
 
 /// Values at the ends of the colour bar, the same for all frames of a run so that pictures compare: density

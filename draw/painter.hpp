@@ -1,17 +1,18 @@
 // Pictures of a scene: what speed, density or pressure a colour stands for, and where the fluid comes from.
 #pragma once
 
-#include "core/scene/sampling.hpp"
-#include "core/solver/report.hpp"
+#include "core/outliving.hpp"
 #include "draw/device_fluid.hpp"
 #include "draw/renderer.hpp"
+#include "sluice/report.hpp"
+#include "sluice/sampling.hpp"
 
 namespace sluice::draw {
 
 class Painter {
  public:
-  /// Painter of pictures with `size` pixels. Scene, samples and context outlive it.
-  Painter(const gpu::Context& context, const Scene& scene, const Samples& samples, glm::uvec2 size);
+  /// Painter of pictures with `size` pixels. The context outlives it too.
+  Painter(const gpu::Context& context, Outliving<Scene> scene, Outliving<Samples> samples, glm::uvec2 size);
 
   /// Paints the fluid of a snapshot. `labels` has the colour and what is written over the picture; `dt` is
   /// that of the step that led to it.

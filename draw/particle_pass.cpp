@@ -8,8 +8,8 @@
 #include <array>
 #include <cmath>
 
-#include "core/error.hpp"
 #include "gpu/context.hpp"
+#include "sluice/error.hpp"
 
 namespace sluice::draw {
 namespace {

@@ -4,8 +4,8 @@
 #include <epoxy/gl.h>
 #include <fmt/format.h>
 
-#include "core/error.hpp"
 #include "gpu/context.hpp"
+#include "sluice/error.hpp"
 
 namespace sluice::draw {
 

@@ -21,9 +21,9 @@
 #include <fstream>
 #include <string>
 
-#include "core/error.hpp"
 #include "media/recording.hpp"
 #include "media/recording_format.hpp"
+#include "sluice/error.hpp"
 #include "tests/support/scene_claims.hpp"
 
 namespace {

@@ -11,12 +11,12 @@
 #include <optional>
 #include <stdexcept>
 
-#include "core/error.hpp"
 #include "core/text.hpp"
 #include "gpu/context.hpp"
 #include "gpu/stage_program.hpp"
 #include "gpu/storage.hpp"
 #include "gpu/timer.hpp"
+#include "sluice/error.hpp"
 
 namespace sluice::gpu {
 namespace {

@@ -10,9 +10,9 @@
 #include <cstdlib>
 #include <utility>
 
-#include "core/error.hpp"
 #include "core/text.hpp"
 #include "gpu/egl_search.hpp"
+#include "sluice/error.hpp"
 
 namespace sluice::gpu {
 namespace {

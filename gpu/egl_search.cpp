@@ -8,8 +8,8 @@
 #include <string_view>
 #include <type_traits>
 
-#include "core/error.hpp"
 #include "gpu/context.hpp"
+#include "sluice/error.hpp"
 
 namespace sluice::gpu {
 

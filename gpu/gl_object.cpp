@@ -5,8 +5,8 @@
 
 #include <type_traits>
 
-#include "core/error.hpp"
 #include "gpu/context.hpp"
+#include "sluice/error.hpp"
 
 namespace sluice::gpu {
 

@@ -1,9 +1,9 @@
 // Takes the place of all other files in builds without OpenGL.
-#include "core/error.hpp"
 #include "gpu/backend.hpp"
 #include "gpu/compute_program.hpp"
 #include "gpu/context.hpp"
 #include "gpu/stage_program.hpp"
+#include "sluice/error.hpp"
 
 namespace sluice::gpu {
 namespace {

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <iterator>
 
-#include "core/model/choices.hpp"
+#include "sluice/choices.hpp"
 
 namespace sluice::gpu {
 namespace {

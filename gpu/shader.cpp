@@ -10,8 +10,8 @@
 #include <fstream>
 #include <sstream>
 
-#include "core/error.hpp"
 #include "gpu/embedded.hpp"
+#include "sluice/error.hpp"
 
 namespace sluice::gpu {
 namespace {

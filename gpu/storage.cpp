@@ -7,10 +7,10 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "core/error.hpp"
 #include "core/text.hpp"
 #include "gpu/compute_program.hpp"
 #include "gpu/context.hpp"
+#include "sluice/error.hpp"
 
 namespace sluice::gpu {
 namespace {

@@ -1,9 +1,9 @@
 // How recordings begin; known to builds without them too.
 #include <fmt/format.h>
 
-#include "core/error.hpp"
 #include "media/recording.hpp"
 #include "media/recording_format.hpp"
+#include "sluice/error.hpp"
 
 namespace sluice::media {
 

@@ -1,6 +1,6 @@
 // Takes the place of recording.cpp and recording_writer.cpp in builds without recordings.
-#include "core/error.hpp"
 #include "media/recording.hpp"
+#include "sluice/error.hpp"
 
 namespace sluice::media {
 namespace {

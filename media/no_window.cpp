@@ -1,6 +1,6 @@
 // Takes the place of window.cpp in builds without a window.
-#include "core/error.hpp"
 #include "media/window.hpp"
+#include "sluice/error.hpp"
 
 namespace sluice::media {
 

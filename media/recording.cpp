@@ -7,12 +7,12 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "core/error.hpp"
-#include "core/scene/load.hpp"
 #include "core/solver/memory.hpp"
 #include "core/solver/verdict.hpp"
 #include "core/text.hpp"
 #include "media/recording_format.hpp"
+#include "sluice/error.hpp"
+#include "sluice/load.hpp"
 
 namespace sluice::media {
 namespace {

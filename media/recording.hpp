@@ -1,26 +1,16 @@
 // Recordings: the frames of a run in one file, to be watched and exported again without simulating.
+// sluice/recording.hpp has their reader.
 #pragma once
 
 #include <filesystem>
-#include <fstream>
 #include <memory>
-#include <span>
 #include <string>
-#include <vector>
 
 #include "core/output/output_file.hpp"
-#include "core/scene/sampling.hpp"
-#include "core/solver/backend.hpp"
-#include "core/solver/report.hpp"
+#include "sluice/recording.hpp"
+#include "sluice/report.hpp"
 
 namespace sluice::media {
-
-/// A moment of a run: all that a picture or a file of it shows. Step 0 is the start.
-struct Moment {
-  StepReport report;
-  double seconds_per_step = 0;  ///< wall time of that step
-  Snapshot state;
-};
 
 /// Writes a recording: the scene as it was run, then one compressed block per frame, an index and a checksum
 /// (docs/output.md). Numbers are kept with the bits that the run computed. Failures as of OutputFile.
@@ -44,29 +34,6 @@ class RecordingWriter {
   struct State;
   void write(std::string_view bytes);
 
-  std::unique_ptr<State> state_;
-};
-
-/// Reads a recording. Any frame can be had at any time.
-class Recording {
- public:
-  /// Reads the scene and checks that every byte of the file is as it was written. `overrides` change the
-  /// scene's section `output` as --set does. InputError, with the file's name and what is wrong, when it is
-  /// no recording, was cut off or altered, or was made by a later version of Sluice.
-  explicit Recording(const std::filesystem::path& path, std::span<const std::string> overrides = {});
-  ~Recording();
-  Recording(Recording&&) noexcept;
-
-  const Scene& scene() const;
-  const Samples& samples() const;
-  Precision precision() const;
-
-  size_t frames() const;  ///< one or more
-  /// Reads and unpacks a frame. InputError when it changed since the file was opened.
-  Moment moment(size_t frame) const;
-
- private:
-  struct State;
   std::unique_ptr<State> state_;
 };
 

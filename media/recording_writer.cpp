@@ -2,11 +2,11 @@
 #include <fmt/format.h>
 #include <zstd.h>
 
-#include "core/error.hpp"
 #include "core/output/summary.hpp"
 #include "core/text.hpp"
 #include "media/recording.hpp"
 #include "media/recording_format.hpp"
+#include "sluice/error.hpp"
 
 namespace sluice::media {
 namespace {

@@ -17,7 +17,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/error.hpp"
+#include "sluice/error.hpp"
 
 namespace sluice::media {
 namespace {

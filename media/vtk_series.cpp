@@ -18,8 +18,8 @@
 #include <system_error>
 #include <utility>
 
-#include "core/error.hpp"
 #include "core/output/output_file.hpp"
+#include "sluice/error.hpp"
 
 namespace sluice::media {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/solver/backend.hpp"
-#include "core/solver/report.hpp"
+#include "sluice/report.hpp"
 
 namespace sluice::media {
 

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/error.hpp"
+#include "sluice/error.hpp"
 
 namespace sluice::media {
 namespace {

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "core/solver/report.hpp"
+#include "sluice/report.hpp"
 
 namespace sluice::study {
 

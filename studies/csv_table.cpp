@@ -8,7 +8,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "core/error.hpp"
+#include "sluice/error.hpp"
 
 namespace sluice::study {
 namespace {

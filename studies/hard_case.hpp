@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "core/scene/sampling.hpp"
-#include "core/scene/scene.hpp"
+#include "sluice/sampling.hpp"
+#include "sluice/scene.hpp"
 #include "studies/hard_scenes.hpp"
 
 namespace sluice::study {

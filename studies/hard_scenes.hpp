@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "core/scene/scene.hpp"
+#include "sluice/scene.hpp"
 
 namespace sluice::study {
 

@@ -6,9 +6,9 @@
 
 #include "core/agree/agree.hpp"
 #include "core/agree/agreement.hpp"
-#include "core/error.hpp"
-#include "core/scene/load.hpp"
 #include "core/solver/limits.hpp"
+#include "sluice/error.hpp"
+#include "sluice/load.hpp"
 
 namespace sluice::study {
 namespace {

@@ -9,8 +9,8 @@
 #include <fstream>
 #include <map>
 
-#include "core/error.hpp"
 #include "media/recording.hpp"
+#include "sluice/error.hpp"
 
 namespace sluice::study {
 namespace {

@@ -1,7 +1,7 @@
 // Cases with walls, and what they share.
 #include "studies/validation_waters.hpp"
 
-#include "core/scene/load.hpp"
+#include "sluice/load.hpp"
 #include "studies/csv_table.hpp"
 
 namespace sluice::study {

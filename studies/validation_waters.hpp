@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/scene/scene.hpp"
+#include "sluice/scene.hpp"
 #include "studies/time_curve.hpp"
 #include "studies/validation.hpp"
 

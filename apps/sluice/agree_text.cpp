@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <set>
 
-#include "core/error.hpp"
+#include "sluice/error.hpp"
 
 namespace sluice::app {
 namespace {

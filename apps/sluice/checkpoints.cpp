@@ -10,12 +10,12 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/sluice/differences.hpp"
-#include "core/error.hpp"
 #include "core/output/frame_clock.hpp"
-#include "core/scene/load.hpp"
 #include "core/scene/settings.hpp"
 #include "core/text.hpp"
 #include "media/recording.hpp"
+#include "sluice/error.hpp"
+#include "sluice/load.hpp"
 
 namespace sluice::app {
 namespace {

@@ -14,7 +14,7 @@
 #include <map>
 #include <memory>
 
-#include "core/error.hpp"
+#include "sluice/error.hpp"
 
 namespace sluice::app {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <map>
 
-#include "core/error.hpp"
+#include "sluice/error.hpp"
 
 namespace sluice::app {
 

@@ -7,12 +7,12 @@
 #include "apps/sluice/commands.hpp"
 #include "apps/sluice/machine.hpp"
 #include "core/agree/agree.hpp"
-#include "core/error.hpp"
 #include "core/output/checkpoint.hpp"
 #include "core/output/output_file.hpp"
-#include "core/scene/load.hpp"
 #include "core/solver/memory.hpp"
 #include "media/recording.hpp"
+#include "sluice/error.hpp"
+#include "sluice/load.hpp"
 
 namespace sluice::app {
 namespace {

@@ -4,12 +4,12 @@
 #include "apps/sluice/agree_text.hpp"
 #include "apps/sluice/commands.hpp"
 #include "apps/sluice/machine.hpp"
-#include "core/error.hpp"
 #include "core/output/checkpoint.hpp"
-#include "core/scene/load.hpp"
 #include "core/solver/memory.hpp"
 #include "core/text.hpp"
 #include "media/recording.hpp"
+#include "sluice/error.hpp"
+#include "sluice/load.hpp"
 
 namespace sluice::app {
 namespace {

@@ -7,9 +7,9 @@
 #include "apps/sluice/interrupt.hpp"
 #include "apps/sluice/progress.hpp"
 #include "core/attempts.hpp"
-#include "core/error.hpp"
 #include "gpu/context.hpp"
 #include "media/recording.hpp"
+#include "sluice/error.hpp"
 
 namespace sluice::app {
 

@@ -3,18 +3,19 @@
 
 #include "apps/sluice/agree_text.hpp"
 #include "apps/sluice/commands.hpp"
-#include "core/error.hpp"
 #include "core/model/plan.hpp"
 #include "core/output/checkpoint.hpp"
 #include "core/output/summary.hpp"
-#include "core/scene/load.hpp"
-#include "core/scene/sampling.hpp"
 #include "core/solver/memory.hpp"
 #include "core/text.hpp"
 #include "cpu/backend.hpp"
 #include "gpu/context.hpp"
 #include "gpu/stage_program.hpp"
 #include "media/recording.hpp"
+#include "sluice/error.hpp"
+#include "sluice/load.hpp"
+#include "sluice/sampling.hpp"
+#include "sluice/version.hpp"
 
 namespace sluice::app {
 namespace {

@@ -12,9 +12,10 @@
 
 #include "apps/sluice/commands.hpp"
 #include "apps/sluice/play/pace.hpp"
-#include "core/error.hpp"
 #include "core/output/summary.hpp"
 #include "cpu/backend.hpp"
+#include "sluice/error.hpp"
+#include "sluice/version.hpp"
 
 namespace sluice::app {
 namespace {

@@ -7,9 +7,9 @@
 #include "apps/sluice/play/menu.hpp"
 #include "apps/sluice/play/recording.hpp"
 #include "apps/sluice/play/scene.hpp"
-#include "core/error.hpp"
 #include "core/output/checkpoint.hpp"
-#include "core/scene/load.hpp"
+#include "sluice/error.hpp"
+#include "sluice/load.hpp"
 
 namespace sluice::app {
 namespace {

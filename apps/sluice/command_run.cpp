@@ -17,13 +17,13 @@
 #include "apps/sluice/progress.hpp"
 #include "apps/sluice/warnings.hpp"
 #include "core/attempts.hpp"
-#include "core/error.hpp"
 #include "core/output/frame_clock.hpp"
 #include "core/output/series.hpp"
 #include "core/output/state_file.hpp"
 #include "core/output/summary.hpp"
 #include "core/solver/memory.hpp"
 #include "core/solver/simulator.hpp"
+#include "sluice/error.hpp"
 
 namespace sluice::app {
 namespace {

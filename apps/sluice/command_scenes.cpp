@@ -3,9 +3,9 @@
 
 #include "apps/sluice/commands.hpp"
 #include "core/scene/keys.hpp"
-#include "core/scene/load.hpp"
-#include "core/scene/sampling.hpp"
 #include "core/text.hpp"
+#include "sluice/load.hpp"
+#include "sluice/sampling.hpp"
 
 namespace sluice::app {
 

@@ -6,7 +6,7 @@
 #include "apps/sluice/commands.hpp"
 #include "apps/sluice/study_hard.hpp"
 #include "apps/sluice/study_points.hpp"
-#include "core/error.hpp"
+#include "sluice/error.hpp"
 
 namespace sluice::app {
 namespace {

@@ -6,10 +6,10 @@
 #include "apps/sluice/overlay_text.hpp"
 #include "apps/sluice/warnings.hpp"
 #include "core/attempts.hpp"
-#include "core/error.hpp"
 #include "core/text.hpp"
 #include "draw/frame.hpp"
 #include "gpu/context.hpp"
+#include "sluice/error.hpp"
 
 namespace sluice::app {
 namespace {

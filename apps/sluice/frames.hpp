@@ -6,12 +6,12 @@
 #include <optional>
 
 #include "apps/sluice/options.hpp"
-#include "core/scene/sampling.hpp"
 #include "draw/image.hpp"
 #include "draw/painter.hpp"
 #include "media/recording.hpp"
 #include "media/video.hpp"
 #include "media/vtk_series.hpp"
+#include "sluice/sampling.hpp"
 
 namespace sluice::app {
 

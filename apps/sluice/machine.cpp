@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "core/error.hpp"
 #include "cpu/backend.hpp"
+#include "sluice/error.hpp"
 
 namespace sluice::app {
 namespace {

@@ -8,7 +8,7 @@
 #include <new>
 
 #include "apps/sluice/command_line.hpp"
-#include "core/error.hpp"
+#include "sluice/error.hpp"
 
 namespace {
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "core/model/choices.hpp"
 #include "cpu/backend.hpp"
+#include "sluice/choices.hpp"
 
 namespace sluice::app {
 

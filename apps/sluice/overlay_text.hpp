@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "apps/sluice/options.hpp"
-#include "core/scene/sampling.hpp"
-#include "core/solver/report.hpp"
+#include "sluice/report.hpp"
+#include "sluice/sampling.hpp"
 
 namespace sluice::app {
 

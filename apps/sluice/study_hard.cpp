@@ -8,11 +8,11 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/sluice/children.hpp"
-#include "core/error.hpp"
 #include "core/output/output_file.hpp"
 #include "cpu/backend.hpp"
 #include "gpu/backend.hpp"
 #include "gpu/context.hpp"
+#include "sluice/error.hpp"
 #include "studies/hard_table.hpp"
 #include "studies/table.hpp"
 

@@ -9,8 +9,8 @@
 #include "apps/sluice/children.hpp"
 #include "apps/sluice/command_line.hpp"
 #include "apps/sluice/commands.hpp"
-#include "core/error.hpp"
 #include "core/output/output_file.hpp"
+#include "sluice/error.hpp"
 
 namespace sluice::app {
 namespace {

@@ -5,8 +5,8 @@
 
 #include "apps/sluice/options.hpp"
 #include "core/output/summary.hpp"
-#include "core/scene/scene.hpp"
 #include "core/solver/limits.hpp"
+#include "sluice/scene.hpp"
 
 namespace sluice::app {
 

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "core/agree/agreement.hpp"
-#include "core/scene/sampling.hpp"
-#include "core/scene/scene.hpp"
-#include "core/solver/report.hpp"
+#include "sluice/report.hpp"
+#include "sluice/sampling.hpp"
+#include "sluice/scene.hpp"
 
 namespace sluice {
 

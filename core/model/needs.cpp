@@ -1,7 +1,7 @@
 // Scene -> Model -> Needs.
 #include "core/model/needs.hpp"
 
-#include "core/scene/scene.hpp"
+#include "sluice/scene.hpp"
 
 namespace sluice {
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <string_view>
 
-#include "core/model/choices.hpp"
+#include "sluice/choices.hpp"
 
 namespace sluice {
 

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "core/model/needs.hpp"
-#include "core/scene/scene.hpp"
+#include "sluice/scene.hpp"
 
 namespace sluice {
 namespace {

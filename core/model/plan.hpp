@@ -19,7 +19,8 @@ struct Plan {
   Needs needs;
   std::array<std::vector<Stage>, phase_count> phases;
 
-  const std::vector<Stage>& operator[](Phase phase) const { return phases[static_cast<uint32_t>(phase)]; }
+  const std::vector<Stage>& operator[](Phase phase) const& { return phases[static_cast<uint32_t>(phase)]; }
+  std::vector<Stage> operator[](Phase phase) && { return std::move(phases[static_cast<uint32_t>(phase)]); }
 
   /// Whether pressure comes from sweeps that are repeated until it has converged.
   bool sweeps() const { return !(*this)[Phase::sweep].empty(); }

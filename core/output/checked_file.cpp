@@ -7,9 +7,10 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "core/error.hpp"
 #include "core/output/summary.hpp"
 #include "core/text.hpp"
+#include "sluice/error.hpp"
+#include "sluice/version.hpp"
 
 namespace sluice {
 namespace {

@@ -13,8 +13,8 @@
 #include <type_traits>
 
 #include "core/output/file_kind.hpp"
-#include "core/scene/scene.hpp"
 #include "core/solver/backend.hpp"
+#include "sluice/scene.hpp"
 
 namespace sluice {
 

@@ -10,12 +10,12 @@
 #include <optional>
 #include <span>
 
-#include "core/error.hpp"
 #include "core/output/checkpoint_format.hpp"
 #include "core/output/output_file.hpp"
-#include "core/scene/load.hpp"
 #include "core/solver/memory.hpp"
 #include "core/text.hpp"
+#include "sluice/error.hpp"
+#include "sluice/load.hpp"
 
 namespace sluice {
 namespace {

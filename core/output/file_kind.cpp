@@ -7,9 +7,9 @@
 #include <fstream>
 #include <string>
 
-#include "core/error.hpp"
 #include "core/output/checkpoint.hpp"
 #include "core/output/checkpoint_format.hpp"
+#include "sluice/error.hpp"
 
 namespace sluice {
 

@@ -1,6 +1,6 @@
 // Takes the place of checkpoint.cpp and checked_file.cpp in builds without recordings.
-#include "core/error.hpp"
 #include "core/output/checkpoint.hpp"
+#include "sluice/error.hpp"
 
 namespace sluice {
 namespace {

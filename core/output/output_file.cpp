@@ -13,7 +13,7 @@
 #include <optional>
 #include <utility>
 
-#include "core/error.hpp"
+#include "sluice/error.hpp"
 
 namespace sluice {
 namespace {

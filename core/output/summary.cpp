@@ -9,6 +9,7 @@
 #include "core/model/larger.hpp"
 #include "core/scene/settings.hpp"
 #include "core/text.hpp"
+#include "sluice/version.hpp"
 
 namespace sluice {
 namespace {

@@ -63,10 +63,4 @@ nlohmann::ordered_json to_json(const RunSummary& summary);
 /// Summary for people: a few lines, and the table of time per stage.
 std::string to_text(const RunSummary& summary);
 
-/// Version of Sluice.
-std::string version();
-
-/// The commit that this program was built from, "1a2b3c4" or "1a2b3c4-modified"; empty when it is not known.
-std::string commit();
-
 }  // namespace sluice

@@ -1,5 +1,5 @@
 // Finding and reading scene files.
-#include "core/scene/load.hpp"
+#include "sluice/load.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -24,6 +24,7 @@ std::vector<fs::path> scene_folders() {
   std::error_code error;
   fs::path program = fs::read_symlink("/proc/self/exe", error);
   if (!error) folders.push_back(program.parent_path().parent_path() / "share/sluice/scenes");
+  folders.push_back(SLUICE_INSTALLED_SCENE_DIR);
   return folders;
 }
 
@@ -84,6 +85,12 @@ Scene parse_scene(std::string_view text, const std::string& file, std::span<cons
   scene.record.text = text;
   scene.record.overrides.assign(overrides.begin(), overrides.end());
   return scene;
+}
+
+Scene changed(const Scene& scene, std::span<const std::string> overrides) {
+  std::vector<std::string> all = scene.record.overrides;
+  all.insert(all.end(), overrides.begin(), overrides.end());
+  return parse_scene(scene.record.text, scene.file, all);
 }
 
 std::vector<std::string> shipped_scenes() {

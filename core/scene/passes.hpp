@@ -4,8 +4,8 @@
 #include <span>
 #include <string>
 
-#include "core/scene/scene.hpp"
 #include "core/scene/tree.hpp"
+#include "sluice/scene.hpp"
 
 namespace sluice {
 

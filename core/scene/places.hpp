@@ -5,7 +5,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "core/scene/scene.hpp"
+#include "sluice/scene.hpp"
 
 namespace sluice {
 

@@ -1,14 +1,14 @@
 // Sampling of all shapes, the overlap check and the jitter of the start.
-#include "core/scene/sampling.hpp"
+#include "sluice/sampling.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
-#include "core/error.hpp"
 #include "core/scene/places.hpp"
 #include "core/scene/random.hpp"
 #include "core/scene/shapes.hpp"
+#include "sluice/error.hpp"
 
 namespace sluice {
 namespace {

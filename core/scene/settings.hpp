@@ -3,7 +3,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "core/scene/scene.hpp"
+#include "sluice/scene.hpp"
 
 namespace sluice {
 

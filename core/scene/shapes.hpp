@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "core/scene/scene.hpp"
+#include "sluice/scene.hpp"
 
 namespace sluice {
 

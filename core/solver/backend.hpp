@@ -1,15 +1,16 @@
 // What the simulator needs of a machine: hold the fields, run a stage. The CPU backend is cpu/backend.hpp.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "core/model/choices.hpp"
 #include "core/model/fields.hpp"
 #include "core/model/params.hpp"
 #include "core/model/stages.hpp"
+#include "sluice/choices.hpp"
 
 namespace sluice {
 
@@ -37,6 +38,8 @@ class Backend {
   virtual void upload(Field field, std::span<const uint32_t> values) = 0;
   virtual void download(Field field, std::span<double> values) const = 0;
   virtual void download(Field field, std::span<uint32_t> values) const = 0;
+  /// Bytes of a field where they lie, if that is the processor's own memory; else none.
+  virtual std::span<const std::byte> memory(Field) const { return {}; }
 
   /// Seconds spent in `stage` since reset_seconds.
   virtual double seconds(Stage stage) const = 0;

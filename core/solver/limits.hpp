@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "core/scene/sampling.hpp"
-#include "core/scene/scene.hpp"
+#include "sluice/sampling.hpp"
+#include "sluice/scene.hpp"
 
 namespace sluice {
 

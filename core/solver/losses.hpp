@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/model/params.hpp"
-#include "core/solver/report.hpp"
+#include "sluice/report.hpp"
 
 namespace sluice {
 

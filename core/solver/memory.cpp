@@ -9,10 +9,10 @@
 #include <limits>
 #include <string>
 
-#include "core/error.hpp"
 #include "core/model/params.hpp"
-#include "core/scene/sampling.hpp"
 #include "core/text.hpp"
+#include "sluice/error.hpp"
+#include "sluice/sampling.hpp"
 
 namespace sluice {
 namespace {

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/model/plan.hpp"
-#include "core/scene/scene.hpp"
 #include "core/solver/backend.hpp"
+#include "sluice/scene.hpp"
 
 namespace sluice {
 

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/scene/scene.hpp"
 #include "core/solver/diagnostics.hpp"
+#include "sluice/scene.hpp"
 
 namespace sluice {
 

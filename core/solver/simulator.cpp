@@ -7,8 +7,8 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "core/error.hpp"
 #include "core/solver/verdict.hpp"
+#include "sluice/error.hpp"
 
 namespace sluice {
 namespace {
@@ -72,10 +72,10 @@ std::optional<size_t> first_not_finite(const std::vector<Vec2>& values) {
 
 }  // namespace
 
-Simulator::Simulator(const Scene& scene, const Samples& samples, Backend& backend)
+Simulator::Simulator(Outliving<Scene> scene, Outliving<Samples> samples, Backend& backend)
     : Simulator(scene, samples, backend, NotStarted{}) {
-  const std::vector<Vec2> x = moved(samples.fluid, -params_.origin);
-  start(scene.relax > 0 ? relaxed_positions(x) : x);
+  const std::vector<Vec2> x = moved(samples_.fluid, -params_.origin);
+  start(scene_.relax > 0 ? relaxed_positions(x) : x);
 }
 
 Simulator::Simulator(const Scene& scene, const Samples& samples, Backend& backend, NotStarted)
@@ -381,9 +381,37 @@ SimulationState Simulator::state() const {
           by_id(scalars(Field::p), id)};
 }
 
+/// Particles stand where the last step left them, in its order. The next adaptive step follows from the new
+/// state.
+void Simulator::set_state(Field field, std::span<const Vec2> values, Vec2 origin) {
+  const std::string what = field == Field::x_in ? "positions" : "velocities";
+  if (values.size() != sizes_.fluid) {
+    throw InputError(fmt::format("{}: found {} {}, expected those of {} particles", scene_.file,
+                                 values.size(), what, sizes_.fluid));
+  }
+  const std::vector<uint32_t> id = ids(Field::id);
+  std::vector<Vec2> sorted(values.size());
+  const double largest = backend_.precision() == Precision::single_
+                             ? static_cast<double>(std::numeric_limits<float>::max())
+                             : std::numeric_limits<double>::max();
+  for (size_t i = 0; i < sorted.size(); ++i) {
+    sorted[i] = values[id[i]] - origin;
+    if (!(std::abs(sorted[i].x) <= largest && std::abs(sorted[i].y) <= largest)) {
+      throw InputError(fmt::format("{}: {}: found ({:g}, {:g}) for particle {}, expected finite numbers",
+                                   scene_.file, what, values[id[i]].x, values[id[i]].y, id[i]));
+    }
+  }
+  backend_.upload(field, flat(sorted));
+  if (scene_.adaptive) begin_adaptive(vectors(Field::x_in), vectors(Field::v_in));
+}
+
+void Simulator::set_positions(std::span<const Vec2> x) { set_state(Field::x_in, x, params_.origin); }
+
+void Simulator::set_velocities(std::span<const Vec2> v) { set_state(Field::v_in, v, {}); }
+
 /// What the last step left behind is put where it left it. Particles stand in another order than there; the
 /// grid sorts them by cell and id, so that no step sees it.
-Simulator::Simulator(const Scene& scene, const Samples& samples, Backend& backend,
+Simulator::Simulator(Outliving<Scene> scene, Outliving<Samples> samples, Backend& backend,
                      const SimulationState& state)
     : Simulator(scene, samples, backend, NotStarted{}) {
   steps_ = state.clock.steps;
@@ -391,8 +419,8 @@ Simulator::Simulator(const Scene& scene, const Samples& samples, Backend& backen
   time_before_ = state.clock.time_before;
   next_dt_ = state.clock.next_dt;
   diagnostics_ = state.diagnostics;
-  if (scene.adaptive) control_ = make_control();
-  params_ = make_params(scene, params_.n, state.clock.dt);
+  if (scene_.adaptive) control_ = make_control();
+  params_ = make_params(scene_, params_.n, state.clock.dt);
   set_up(plan_, params_);
   upload_state(state.x, state.v);
   backend_.upload(Field::rho, state.density);

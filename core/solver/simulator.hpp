@@ -8,25 +8,27 @@
 #include <vector>
 
 #include "core/model/plan.hpp"
-#include "core/scene/sampling.hpp"
-#include "core/scene/scene.hpp"
+#include "core/outliving.hpp"
 #include "core/solver/backend.hpp"
 #include "core/solver/losses.hpp"
-#include "core/solver/report.hpp"
 #include "core/solver/simulation_state.hpp"
 #include "core/solver/time_step.hpp"
+#include "sluice/report.hpp"
+#include "sluice/sampling.hpp"
+#include "sluice/scene.hpp"
 
 namespace sluice {
 
 class Simulator {
  public:
-  /// Sets up the start of `scene` on `backend`, relaxed if the scene asks for it. Both must outlive the
-  /// simulator.
-  Simulator(const Scene& scene, const Samples& samples, Backend& backend);
+  /// Sets up the start of `scene` on `backend`, which outlives the simulator, relaxed if the scene asks for
+  /// it.
+  Simulator(Outliving<Scene> scene, Outliving<Samples> samples, Backend& backend);
 
   /// Goes on from `state`, which state() returned in a run of the same scene and precision: every later step
   /// has the bits that it has there.
-  Simulator(const Scene& scene, const Samples& samples, Backend& backend, const SimulationState& state);
+  Simulator(Outliving<Scene> scene, Outliving<Samples> samples, Backend& backend,
+            const SimulationState& state);
 
   /// Runs one step. Sets failure() when the state it leads to is invalid; then no further step may follow.
   /// Where the scene's steps adapt, they are shortened to end at the time `end`, which is yet to come, and
@@ -42,6 +44,7 @@ class Simulator {
   void change_dt(double dt);
   const std::optional<Failure>& failure() const { return failure_; }
   const Plan& plan() const { return plan_; }
+  const Sizes& sizes() const { return sizes_; }
   /// The particles that left the domain, as far as their number changed when they did.
   const std::vector<Loss>& losses() const { return losses_.all(); }
 
@@ -52,9 +55,15 @@ class Simulator {
   /// State that another simulator can go on from. Only while there is no failure().
   SimulationState state() const;
 
+  /// Sets the positions, or velocities, that the next step starts from, in the order of ids. InputError when
+  /// there are not as many as particles, or when one is not finite in this precision: then nothing changes.
+  void set_positions(std::span<const Vec2> x);
+  void set_velocities(std::span<const Vec2> v);
+
  private:
   struct NotStarted {};
   Simulator(const Scene& scene, const Samples& samples, Backend& backend, NotStarted);
+  void set_state(Field field, std::span<const Vec2> values, Vec2 origin);
   void start(const std::vector<Vec2>& x);
   void refuse_beyond_range() const;
   std::vector<Vec2> relaxed_positions(const std::vector<Vec2>& x);

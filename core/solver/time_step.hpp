@@ -1,9 +1,9 @@
 // The time step: what bounds it, and how it follows the fluid from step to step.
 #pragma once
 
-#include "core/scene/sampling.hpp"
-#include "core/scene/scene.hpp"
 #include "core/solver/diagnostics.hpp"
+#include "sluice/sampling.hpp"
+#include "sluice/scene.hpp"
 
 namespace sluice {
 

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "core/model/params.hpp"
-#include "core/solver/report.hpp"
+#include "sluice/report.hpp"
 
 namespace sluice {
 

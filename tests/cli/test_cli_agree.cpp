@@ -7,8 +7,8 @@
 #include <set>
 
 #include "core/model/plan.hpp"
-#include "core/scene/load.hpp"
 #include "gpu/context.hpp"
+#include "sluice/load.hpp"
 #include "tests/support/run_program.hpp"
 #include "tests/support/table.hpp"
 

@@ -4,7 +4,7 @@
 #include <fstream>
 
 #include "core/output/checkpoint.hpp"
-#include "core/scene/load.hpp"
+#include "sluice/load.hpp"
 #include "tests/support/checkpointed.hpp"
 
 namespace sluice::test {

@@ -9,7 +9,7 @@
 #include "core/model/plan.hpp"
 #include "core/output/output_file.hpp"
 #include "core/output/summary.hpp"
-#include "core/scene/load.hpp"
+#include "sluice/load.hpp"
 #include "tests/support/run_program.hpp"
 #include "tests/support/table.hpp"
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "core/scene/load.hpp"
+#include "sluice/load.hpp"
 #include "tests/support/run_program.hpp"
 
 namespace sluice::test {

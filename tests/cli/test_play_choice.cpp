@@ -4,10 +4,10 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/sluice/play/choice.hpp"
-#include "core/error.hpp"
-#include "core/scene/load.hpp"
-#include "core/scene/sampling.hpp"
 #include "core/scene/settings.hpp"
+#include "sluice/error.hpp"
+#include "sluice/load.hpp"
+#include "sluice/sampling.hpp"
 
 namespace sluice::test {
 namespace {

@@ -7,8 +7,8 @@
 #include <sstream>
 #include <string>
 
-#include "core/error.hpp"
 #include "draw/image.hpp"
+#include "sluice/error.hpp"
 
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wconversion"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/error.hpp"
+#include "sluice/error.hpp"
 #include "tests/support/picture_test.hpp"
 
 namespace sluice::test {

@@ -7,9 +7,9 @@
 #include <string>
 #include <utility>
 
-#include "core/error.hpp"
 #include "draw/program.hpp"
 #include "gpu/context.hpp"
+#include "sluice/error.hpp"
 
 namespace {
 

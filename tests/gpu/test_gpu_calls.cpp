@@ -11,8 +11,8 @@
 #include <set>
 #include <string>
 
-#include "core/error.hpp"
 #include "gpu/timer.hpp"
+#include "sluice/error.hpp"
 #include "tests/support/gpu.hpp"
 #include "tests/support/simulation.hpp"
 

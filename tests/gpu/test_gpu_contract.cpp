@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "core/error.hpp"
 #include "core/output/output_file.hpp"
 #include "gpu/stage_program.hpp"
+#include "sluice/error.hpp"
 #include "tests/support/gpu.hpp"
 #include "tests/support/run_program.hpp"
 

@@ -11,10 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/error.hpp"
 #include "core/model/larger.hpp"
 #include "core/scene/random.hpp"
-#include "core/scene/sampling.hpp"
 #include "core/solver/simulator.hpp"
 #include "cpu/backend.hpp"
 #include "cpu/fold.hpp"
@@ -22,6 +20,8 @@
 #include "gpu/compute_program.hpp"
 #include "gpu/context.hpp"
 #include "gpu/stage_program.hpp"
+#include "sluice/error.hpp"
+#include "sluice/sampling.hpp"
 #include "tests/support/gpu.hpp"
 #include "tests/support/simulation.hpp"
 

@@ -6,11 +6,11 @@
 #include <filesystem>
 #include <string>
 
-#include "core/error.hpp"
 #include "core/output/output_file.hpp"
-#include "core/scene/load.hpp"
 #include "core/scene/random.hpp"
 #include "core/solver/simulator.hpp"
+#include "sluice/error.hpp"
+#include "sluice/load.hpp"
 #include "tests/support/gpu.hpp"
 #include "tests/support/message_of.hpp"
 #include "tests/support/run_program.hpp"

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "core/error.hpp"
 #include "core/output/output_file.hpp"
+#include "sluice/error.hpp"
 #include "tests/support/gpu.hpp"
 #include "tests/support/run_program.hpp"
 

@@ -8,9 +8,9 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "core/error.hpp"
 #include "core/scene/settings.hpp"
 #include "media/recording.hpp"
+#include "sluice/error.hpp"
 #include "tests/support/recorded.hpp"
 #include "tests/support/run_program.hpp"
 

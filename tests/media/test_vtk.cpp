@@ -4,9 +4,9 @@
 #include <bit>
 #include <cstdlib>
 
-#include "core/error.hpp"
 #include "core/output/output_file.hpp"
 #include "media/vtk_series.hpp"
+#include "sluice/error.hpp"
 #include "tests/support/message_of.hpp"
 #include "tests/support/vtk_file.hpp"
 

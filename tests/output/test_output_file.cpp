@@ -10,8 +10,8 @@
 #include <string>
 #include <thread>
 
-#include "core/error.hpp"
 #include "core/output/output_file.hpp"
+#include "sluice/error.hpp"
 #include "tests/support/synced.hpp"
 
 namespace {

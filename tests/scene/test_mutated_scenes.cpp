@@ -6,8 +6,8 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "core/scene/load.hpp"
 #include "core/scene/settings.hpp"
+#include "sluice/load.hpp"
 #include "tests/support/mutated_scenes.hpp"
 #include "tests/support/mutation.hpp"
 #include "tests/support/scene_claims.hpp"

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/error.hpp"
 #include "core/scene/random.hpp"
+#include "sluice/error.hpp"
 #include "tests/support/simulation.hpp"
 
 namespace sluice::test {

@@ -11,8 +11,8 @@
 
 #include "core/scene/keys.hpp"
 #include "core/scene/length.hpp"
-#include "core/scene/load.hpp"
 #include "core/scene/settings.hpp"
+#include "sluice/load.hpp"
 
 namespace sluice {
 namespace {

@@ -11,9 +11,9 @@
 #include <sstream>
 
 #include "core/scene/keys.hpp"
-#include "core/scene/load.hpp"
 #include "core/scene/settings.hpp"
 #include "core/scene/tree.hpp"
+#include "sluice/load.hpp"
 
 namespace sluice {
 namespace {

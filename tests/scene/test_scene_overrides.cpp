@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "core/scene/load.hpp"
 #include "core/scene/settings.hpp"
+#include "sluice/load.hpp"
 
 namespace sluice {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/scene/load.hpp"
+#include "sluice/load.hpp"
 #include "tests/support/message_of.hpp"
 
 namespace sluice {

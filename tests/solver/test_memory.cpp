@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "core/error.hpp"
 #include "core/solver/memory.hpp"
+#include "sluice/error.hpp"
 #include "tests/support/simulation.hpp"
 
 namespace sluice::test {

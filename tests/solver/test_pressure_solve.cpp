@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "core/error.hpp"
 #include "core/model/larger.hpp"
+#include "sluice/error.hpp"
 #include "tests/support/simulation.hpp"
 
 namespace sluice::test {

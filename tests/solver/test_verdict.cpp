@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "core/error.hpp"
 #include "core/solver/verdict.hpp"
+#include "sluice/error.hpp"
 #include "tests/support/simulation.hpp"
 
 namespace sluice::test {

@@ -6,8 +6,8 @@
 #include <map>
 #include <string>
 
-#include "core/error.hpp"
 #include "gpu/context.hpp"
+#include "sluice/error.hpp"
 #include "tests/support/gpu.hpp"
 #include "tests/support/growing.hpp"
 #include "tests/support/message_of.hpp"

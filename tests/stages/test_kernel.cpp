@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/scene/scene.hpp"
 #include "cpu/kernel.hpp"
+#include "sluice/scene.hpp"
 
 namespace sluice::test {
 namespace {

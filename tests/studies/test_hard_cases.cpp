@@ -8,8 +8,8 @@
 #include <stdexcept>
 
 #include "core/model/params.hpp"
-#include "core/scene/load.hpp"
 #include "cpu/backend.hpp"
+#include "sluice/load.hpp"
 #include "tests/support/hard.hpp"
 #include "tests/support/run_program.hpp"
 

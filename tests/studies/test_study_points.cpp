@@ -6,8 +6,8 @@
 #include <fstream>
 #include <set>
 
-#include "core/error.hpp"
-#include "core/scene/load.hpp"
+#include "sluice/error.hpp"
+#include "sluice/load.hpp"
 #include "studies/density.hpp"
 #include "studies/study.hpp"
 #include "tests/support/message_of.hpp"

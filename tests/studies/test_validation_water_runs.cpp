@@ -10,10 +10,10 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "core/scene/load.hpp"
-#include "core/scene/sampling.hpp"
 #include "core/scene/settings.hpp"
 #include "media/recording.hpp"
+#include "sluice/load.hpp"
+#include "sluice/sampling.hpp"
 #include "studies/validation_waters.hpp"
 #include "tests/support/run_program.hpp"
 

@@ -7,10 +7,10 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "core/error.hpp"
-#include "core/scene/load.hpp"
-#include "core/scene/sampling.hpp"
 #include "core/scene/settings.hpp"
+#include "sluice/error.hpp"
+#include "sluice/load.hpp"
+#include "sluice/sampling.hpp"
 #include "studies/validation_waters.hpp"
 
 namespace sluice::test {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/model/fields.hpp"
-#include "core/scene/sampling.hpp"
-#include "core/scene/scene.hpp"
+#include "sluice/sampling.hpp"
+#include "sluice/scene.hpp"
 
 namespace sluice::test {
 

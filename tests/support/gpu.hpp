@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "core/scene/scene.hpp"
 #include "gpu/backend.hpp"
 #include "gpu/context.hpp"
+#include "sluice/scene.hpp"
 
 namespace sluice::test {
 

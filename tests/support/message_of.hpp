@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "core/error.hpp"
+#include "sluice/error.hpp"
 
 namespace sluice::test {
 

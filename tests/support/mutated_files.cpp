@@ -10,10 +10,10 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "core/error.hpp"
 #include "core/output/checked_file.hpp"
-#include "core/scene/load.hpp"
 #include "core/solver/memory.hpp"
+#include "sluice/error.hpp"
+#include "sluice/load.hpp"
 #include "tests/support/run_program.hpp"
 #include "tests/support/scene_claims.hpp"
 

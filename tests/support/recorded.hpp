@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "core/scene/load.hpp"
 #include "core/solver/simulator.hpp"
 #include "cpu/backend.hpp"
 #include "media/recording.hpp"
+#include "sluice/load.hpp"
 
 namespace sluice::test {
 

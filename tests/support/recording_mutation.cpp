@@ -7,9 +7,9 @@
 #include <cstring>
 #include <memory>
 
-#include "core/error.hpp"
 #include "core/solver/verdict.hpp"
 #include "media/recording_format.hpp"
+#include "sluice/error.hpp"
 #include "tests/support/mutated_files.hpp"
 #include "tests/support/recorded.hpp"
 #include "tests/support/run_program.hpp"

@@ -8,12 +8,12 @@
 #include <ctime>
 #include <nlohmann/json.hpp>
 
-#include "core/error.hpp"
-#include "core/scene/load.hpp"
-#include "core/scene/sampling.hpp"
 #include "core/scene/settings.hpp"
 #include "core/scene/shapes.hpp"
 #include "core/solver/memory.hpp"
+#include "sluice/error.hpp"
+#include "sluice/load.hpp"
+#include "sluice/sampling.hpp"
 
 namespace sluice::test {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/scene/scene.hpp"
+#include "sluice/scene.hpp"
 
 namespace sluice::test {
 

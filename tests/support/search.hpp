@@ -5,8 +5,8 @@
 #include <set>
 #include <vector>
 
-#include "core/scene/scene.hpp"
 #include "cpu/stages.hpp"
+#include "sluice/scene.hpp"
 
 namespace sluice::test {
 

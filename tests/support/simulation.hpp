@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "core/agree/agree.hpp"
-#include "core/scene/load.hpp"
-#include "core/scene/sampling.hpp"
 #include "core/solver/simulator.hpp"
 #include "cpu/backend.hpp"
+#include "sluice/load.hpp"
+#include "sluice/sampling.hpp"
 
 namespace sluice::test {
 

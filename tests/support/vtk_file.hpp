@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "core/solver/report.hpp"
+#include "sluice/report.hpp"
 #include "tests/support/run_program.hpp"
 
 namespace sluice::test {

@@ -7,10 +7,10 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "core/error.hpp"
-#include "core/scene/load.hpp"
 #include "core/scene/settings.hpp"
 #include "core/text.hpp"
+#include "sluice/error.hpp"
+#include "sluice/load.hpp"
 
 namespace sluice::app {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/scene/scene.hpp"
+#include "sluice/scene.hpp"
 
 namespace sluice::app {
 

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/error.hpp"
-#include "core/scene/load.hpp"
 #include "core/text.hpp"
+#include "sluice/error.hpp"
+#include "sluice/load.hpp"
 
 namespace sluice::app {
 namespace {

@@ -9,10 +9,10 @@
 
 #include "apps/sluice/overlay_text.hpp"
 #include "apps/sluice/warnings.hpp"
-#include "core/error.hpp"
-#include "core/scene/load.hpp"
 #include "core/solver/memory.hpp"
 #include "core/text.hpp"
+#include "sluice/error.hpp"
+#include "sluice/load.hpp"
 
 namespace sluice::app {
 namespace {

@@ -7,9 +7,9 @@
 #include <array>
 #include <cmath>
 
-#include "core/error.hpp"
 #include "core/output/output_file.hpp"
 #include "draw/image.hpp"
+#include "sluice/error.hpp"
 
 namespace sluice::app {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/scene/scene.hpp"
+#include "sluice/scene.hpp"
 
 namespace sluice {
 

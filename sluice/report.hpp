@@ -5,10 +5,28 @@
 #include <string>
 #include <vector>
 
-#include "core/scene/scene.hpp"
-#include "core/solver/diagnostics.hpp"
+#include "sluice/scene.hpp"
 
 namespace sluice {
+
+/// Means, extremes and totals over the fluid. Densities are those computed in the step; positions and
+/// velocities those at its end.
+struct Diagnostics {
+  double mean_density = 0;
+  double mean_compression = 0;  ///< mean of max(rho/rho0 - 1, 0)
+  double max_compression = 0;
+  double kinetic_energy = 0;
+  double potential_energy = 0;  ///< -sum m g.x
+  Vec2 centre_of_mass{};
+  double max_speed = 0;
+  double max_speed_change = 0;  ///< largest |v - v before|
+  double cfl = 0;               ///< max_speed dt / h
+  Vec2 wall_force{};            ///< force of the fluid's pressure on the boundary
+  uint32_t lost = 0;            ///< particles left of, right of or below the domain
+
+  /// Whether no position, velocity or density is NaN or infinite.
+  bool finite() const;
+};
 
 struct StepReport {
   uint64_t step = 0;  ///< 1 for the first

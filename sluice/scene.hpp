@@ -1,4 +1,4 @@
-// A scene: what is simulated, with which models, for how long. Made by load_scene (core/scene/load.hpp) from
+// A scene: what is simulated, with which models, for how long. Made by load_scene (sluice/load.hpp) from
 // a TOML file, whole and validated, and never changed afterwards. Lengths and times are in the scene's own
 // units.
 #pragma once
@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-#include "core/model/choices.hpp"
+#include "sluice/choices.hpp"
 
 namespace sluice {
 
