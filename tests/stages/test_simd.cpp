@@ -103,12 +103,13 @@ TEST(SimdVariants, HaveTheBitsOfThePlainOnes) {
 
 TEST(SimdVariants, RelaxWithTheBitsOfThePlainOnes) {
   const Scene scene = shipped("breaking_dam", {"fluid.jitter=0.2", "fluid.relax=3"});
+  const Samples samples = sample(scene);
   for (const cpu::Instructions instructions : wide_instructions()) {
     const auto plain = cpu::make_backend(Precision::double_, 2, cpu::Instructions::plain);
     const auto other = cpu::make_backend(Precision::double_, 2, instructions);
     ComparingBackend comparing(*plain, *other);
     comparing.compare_from_now_on(true);
-    const Simulator simulator(scene, sample(scene), comparing);
+    const Simulator simulator(scene, samples, comparing);
     for (const Stage stage : make_plan(model_of(scene), Task::relaxation).stages())
       EXPECT_TRUE(comparing.difference(stage).values > 0 && comparing.difference(stage).within(0))
           << name_of(instructions) << ", " << info(stage).name;
