@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -119,7 +118,7 @@ struct Simulation::State {
   Samples samples;
   Simulator simulator;
   RunStatistics statistics;
-  double seconds = 0;
+  Stopwatch watch{};
   mutable std::map<std::string, std::vector<std::byte>> values{};  ///< of the views that were given out
 
   Backend& backend() const { return *device.backend_; }
@@ -163,11 +162,10 @@ StepReport Simulation::step(double end) {
         fmt::format("{}: found {:g} as the end of a step, expected a time after {:g}, where it begins",
                     state_->scene.file, end, simulator.time()));
   }
-  using Clock = std::chrono::steady_clock;
-  const Clock::time_point before = Clock::now();
   state_->values.clear();
+  state_->watch.start();
   StepReport report = simulator.step(end);
-  state_->seconds += std::chrono::duration<double>(Clock::now() - before).count();
+  state_->watch.stop();
   state_->statistics.add(report);
   return report;
 }
@@ -296,7 +294,7 @@ void Simulation::write_checkpoint(const std::filesystem::path& path) const {
 
 std::string Simulation::summary() const {
   const State& s = *state_;
-  const RunSummary summary{s.scene, s.samples, *s.device.backend_, s.simulator, s.statistics, s.seconds};
+  const RunSummary summary{s.scene, s.samples, *s.device.backend_, s.simulator, s.statistics, s.watch};
   return to_json(summary).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
 }
 

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -28,7 +27,6 @@
 namespace sluice::app {
 namespace {
 
-using Clock = std::chrono::steady_clock;
 constexpr double most_frames = 1e6;  // frame names have six digits
 
 /// End of a run: after so many steps, or at a time.
@@ -157,7 +155,7 @@ void add_start(const Simulator& simulator, Outputs& outputs) {
 }
 
 void simulate(Simulator& simulator, const RunEnd& end, Outputs& outputs, Checkpoints& checkpoints,
-              Progress& progress, RunStatistics& statistics, double& seconds) {
+              Progress& progress, RunStatistics& statistics, Stopwatch& watch) {
   const auto save = [&] {
     outputs.flush();
     checkpoints.write(simulator, statistics);
@@ -168,10 +166,9 @@ void simulate(Simulator& simulator, const RunEnd& end, Outputs& outputs, Checkpo
       save();
       checkpoints.hold();
     }
-    const Clock::time_point before = Clock::now();
+    watch.start();
     const StepReport report = simulator.step(end.time);
-    const double step_seconds = std::chrono::duration<double>(Clock::now() - before).count();
-    seconds += step_seconds;
+    const double step_seconds = watch.stop();
     statistics.add(report);
     outputs.add(simulator, report, step_seconds);
     if (checkpoints.due(report.time)) save();
@@ -231,13 +228,14 @@ int run_command(const RunOptions& options) {
   Outputs outputs(options, scene, samples, machine, from);
   Checkpoints checkpoints(options, scene, machine.backend(), simulator.time());
   RunStatistics statistics(from ? from->counts : RunCounts());
-  RunSummary summary{scene, samples, machine.backend(), simulator, statistics};
+  Stopwatch watch;
+  const RunSummary summary{scene, samples, machine.backend(), simulator, statistics, watch};
   {
     Progress progress(end.at_time() ? 0 : end.steps, end.latest(scene.dt), "steps", options.quiet,
                       simulator.steps(), simulator.time());
     try {
       if (!from) add_start(simulator, outputs);
-      simulate(simulator, end, outputs, checkpoints, progress, statistics, summary.seconds);
+      simulate(simulator, end, outputs, checkpoints, progress, statistics, watch);
     } catch (const Error&) {
       outputs.save();
       throw;

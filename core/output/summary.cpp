@@ -56,7 +56,8 @@ void RunStatistics::add(const StepReport& report) {
 }
 
 nlohmann::ordered_json to_json(const RunSummary& summary) {
-  const auto& [scene, samples, backend, simulator, statistics, seconds] = summary;
+  const auto& [scene, samples, backend, simulator, statistics, watch] = summary;
+  const auto others = watch.others();
   nlohmann::ordered_json json;
   json["format"] = 1;
   json["version"] = version();
@@ -84,7 +85,11 @@ nlohmann::ordered_json to_json(const RunSummary& summary) {
   json["compression_mean"] = statistics.compression_mean();
   json["compression_max"] = statistics.compression_max();
   json["cfl_max"] = statistics.cfl_max();
-  json["seconds"] = {{"total", seconds}, {"stages", nlohmann::ordered_json::object()}};
+  json["seconds"] = {{"total", watch.wall()},
+                     {"cpu", watch.cpu()},
+                     {"busy", was_busy(others)},
+                     {"others", others ? nlohmann::ordered_json(*others) : nlohmann::ordered_json(nullptr)},
+                     {"stages", nlohmann::ordered_json::object()}};
   for (const Stage stage : distinct_stages(simulator.plan())) {
     json["seconds"]["stages"][std::string(info(stage).name)] = backend.seconds(stage);
   }
@@ -94,12 +99,18 @@ nlohmann::ordered_json to_json(const RunSummary& summary) {
 }
 
 std::string to_text(const RunSummary& summary) {
-  const auto& [scene, samples, backend, simulator, statistics, seconds] = summary;
+  const auto& [scene, samples, backend, simulator, statistics, watch] = summary;
   const uint64_t before = statistics.before().steps;
   const std::string last = before > 0 ? fmt::format(", the last {}", statistics.steps() - before) : "";
-  std::string text = fmt::format("{}: {} steps of {}, {:g} simulated{} in {:.3g} s, {} + {} particles\n",
-                                 scene.title, statistics.steps(), title_of(scene.method), simulator.time(),
-                                 last, seconds, samples.fluid.size(), samples.boundary.size());
+  std::string text = fmt::format(
+      "{}: {} steps of {}, {:g} simulated{} in {:.3g} s ({:.3g} s of processors), {} + {} particles\n", scene.title,
+      statistics.steps(), title_of(scene.method), simulator.time(), last, watch.wall(), watch.cpu(),
+      samples.fluid.size(), samples.boundary.size());
+  if (const auto others = watch.others(); was_busy(others)) {
+    text += fmt::format("the machine was busy: other programs had {:.1f} processors; compare no seconds but those "
+                        "of processors\n",
+                        *others);
+  }
   if (simulator.plan().sweeps()) {
     text +=
         fmt::format("iterations {:.2f} on average, {} at most; {} steps did not converge\n",
@@ -115,15 +126,15 @@ std::string to_text(const RunSummary& summary) {
       statistics.compression_mean(), statistics.compression_max(), statistics.cfl_max(), statistics.lost());
   text += fmt::format("{:<24}{:>10}{:>8}\n", "stage", "seconds", "share");
   double staged = 0;
-  const auto row = [&text, total = summary.seconds](std::string_view name, double spent) {
+  const auto row = [&text, total = watch.wall()](std::string_view name, double spent) {
     text += fmt::format("{:<24}{:>10.3f}{:>7.1f}%\n", name, spent, total > 0 ? 100 * spent / total : 0);
   };
   for (const Stage stage : distinct_stages(simulator.plan())) {
     staged += backend.seconds(stage);
     row(info(stage).name, backend.seconds(stage));
   }
-  row("between the stages", std::max(seconds - staged, 0.0));
-  row("total", seconds);
+  row("between the stages", std::max(watch.wall() - staged, 0.0));
+  row("total", watch.wall());
   return text;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/solver/simulator.hpp"
+#include "core/stopwatch.hpp"
 
 namespace sluice {
 
@@ -54,7 +55,7 @@ struct RunSummary {
   const Backend& backend;
   const Simulator& simulator;
   const RunStatistics& statistics;
-  double seconds = 0;  ///< wall time of the steps made here, loading and output excluded
+  const Stopwatch& watch;  ///< of the steps made here, loading and output excluded
 };
 
 /// Summary as JSON, settings included; numbers that are not finite become null.

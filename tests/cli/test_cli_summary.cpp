@@ -147,6 +147,9 @@ TEST(CliSummary, TimesTheStagesOfThePlan) {
         sweep += name == part ? seconds.get<double>() : 0;
     }
     EXPECT_EQ(timed, planned);
+    EXPECT_GT(summary["seconds"]["cpu"].get<double>(), 0);
+    EXPECT_TRUE(summary["seconds"]["busy"].is_boolean());
+    EXPECT_TRUE(summary["seconds"]["others"].is_null());  // less than a second
     EXPECT_GE(summary["seconds"]["total"].get<double>(), all);
     const double sweeps = 660 * 30 * summary["iterations_mean"].get<double>();
     EXPECT_NEAR(summary["particle_sweeps_per_second"].get<double>(), sweeps / sweep, 1e-9 * sweeps / sweep);
