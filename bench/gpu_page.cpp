@@ -222,6 +222,7 @@ std::string gpu_page(const GpuReport& report) {
       report.software ? " (a processor plays the graphics card)" : "", report.driver, report.date,
       report.processor, report.threads, report.compiler, number_text(1e-9 * report.copy),
       report.bytes / (1024 * 1024));
+  page += others_text(report.others);
   if (report.tests) page += "\n## Tests\n\n" + report.tests->markdown;
   if (report.agreement)
     page += "\n## Agreement with the CPU backend in float\n\n" + report.agreement->markdown;

@@ -22,6 +22,7 @@ struct GpuReport {
   std::string renderer, driver, date, processor, compiler;
   bool software = false;
   int threads = 0;                          ///< of the processor
+  std::optional<double> others;             ///< processors that other programs had meanwhile
   double copy = 0, bytes = 0;               ///< of the device: bytes per second; bytes of a copy
   std::optional<Finding> tests, agreement;  ///< none: not looked for
   std::vector<SizeTimes> sizes;

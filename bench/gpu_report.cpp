@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "bench/gpu_page.hpp"
+#include "core/stopwatch.hpp"
 #include "cpu/backend.hpp"
 #include "gpu/context.hpp"
 #include "gpu/copy.hpp"
@@ -57,6 +58,7 @@ SizeTimes cpu_times() {
 }
 
 GpuReport measure(const gpu::Context& context) {
+  const Stopwatch watch;
   GpuReport report;
   report.renderer = context.renderer();
   report.driver = context.version();
@@ -77,6 +79,7 @@ GpuReport measure(const gpu::Context& context) {
   }
   report.cpu = cpu_times();
   for (const uint32_t size : sizes) report.sizes.push_back(size_times(size, context));
+  report.others = watch.others();
   return report;
 }
 

@@ -140,6 +140,7 @@ std::string Collector::markdown() const {
       cpu::processor_name(), cpu::hardware_threads(), SLUICE_BENCH_COMPILER, SLUICE_BENCH_FLAGS,
       number("copy/1", "bytes_per_second") * 1e-9, number("copy/2", "bytes_per_second") * 1e-9,
       number("read/1", "bytes_per_second") * 1e-9, number("read/2", "bytes_per_second") * 1e-9, repetitions_);
+  page += others_text(watch_.others());
   for (const Precision precision : precisions) {
     page += fmt::format("- memory in {}: {:.0f} bytes per fluid particle\n", name_of(precision),
                         memory_need(make_scene({iisph, sizes[0], precision, 1}), precision).per_particle);

@@ -6,6 +6,8 @@
 #include <map>
 #include <string>
 
+#include "core/stopwatch.hpp"
+
 namespace sluice::bench {
 
 /// Prints what runs as usual, and keeps the fastest repetition of each.
@@ -26,6 +28,7 @@ class Collector : public benchmark::ConsoleReporter {
   std::string wcsph_tables() const;
 
   std::map<std::string, std::map<std::string, double>> best_;  ///< counters by the benchmark's name
+  Stopwatch watch_;
   std::size_t repetitions_ = 1;
   bool failed_ = false;
 };

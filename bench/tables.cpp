@@ -5,11 +5,20 @@
 
 #include <cmath>
 
+#include "core/stopwatch.hpp"
+
 namespace sluice::bench {
 
 std::string number_text(double value) {
   if (std::isnan(value)) return "-";
   return fmt::format("{:.{}f}", value, value >= 100 ? 0 : value >= 10 ? 1 : value >= 1 ? 2 : 3);
+}
+
+std::string others_text(std::optional<double> others) {
+  if (!others) return "- other programs meanwhile: not known\n";
+  return fmt::format("- other programs meanwhile: {:.2f} processors{}\n", *others,
+                     was_busy(others) ? "; **the machine was busy: these figures are not to be compared with others'**"
+                                      : "");
 }
 
 std::string table_row(const std::string& title, const std::vector<std::string>& cells) {

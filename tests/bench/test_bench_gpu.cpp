@@ -94,6 +94,7 @@ TEST(BenchGpu, PagesAreNamedAfterTheGpu) {
 
 TEST(BenchGpu, PageSaysWhichSizeWasLeftOutAndWhy) {
   bench::GpuReport report;
+  report.others = 0.5;
   const bench::StepTimes measured;
   std::map<PressureMethod, bench::StepTimes> steps;
   for (const PressureMethod method : bench::methods) steps[method] = measured;
@@ -102,6 +103,7 @@ TEST(BenchGpu, PageSaysWhichSizeWasLeftOutAndWhy) {
   const std::string page = bench::gpu_page(report);
   EXPECT_NE(page.find("| fluid particles | 0 | left out |"), std::string::npos);
   EXPECT_NE(page.find("10M left out: graphics memory is full"), std::string::npos);
+  EXPECT_NE(page.find("meanwhile: 0.50 processors; **the machine was busy"), std::string::npos);
 }
 
 }  // namespace
