@@ -17,8 +17,9 @@ std::string number_text(double value) {
 std::string others_text(std::optional<double> others) {
   if (!others) return "- other programs meanwhile: not known\n";
   return fmt::format("- other programs meanwhile: {:.2f} processors{}\n", *others,
-                     was_busy(others) ? "; **the machine was busy: these figures are not to be compared with others'**"
-                                      : "");
+                     was_busy(others)
+                         ? "; **the machine was busy: these figures are not to be compared with others'**"
+                         : "");
 }
 
 std::string table_row(const std::string& title, const std::vector<std::string>& cells) {

@@ -28,6 +28,13 @@ struct Diagnostics {
   bool finite() const;
 };
 
+/// What a sweep of the pressure solve found, before it changed the pressure.
+struct SweepReport {
+  double mean_compression = 0;  ///< mean of |Ap - s| / rho0 over those whose pressure is free, 0 without any
+  double residual = 0;          ///< of the system, in parts of that without any pressure
+  double step_length = 0;       ///< of the change of the pressure that follows, in parts of a Jacobi step
+};
+
 struct StepReport {
   uint64_t step = 0;  ///< 1 for the first
   double time = 0;    ///< at the end of the step
@@ -37,6 +44,7 @@ struct StepReport {
   double residual = 0;      ///< the last e
   bool converged = true;
   Diagnostics diagnostics;
+  std::vector<SweepReport> sweeps;  ///< of the solve that stands, if they were asked for
 };
 
 /// Reason why a run is invalid, with the place and the moment.

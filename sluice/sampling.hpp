@@ -13,6 +13,7 @@ struct Samples {
   std::vector<Vec2> fluid;
   std::vector<uint32_t> fluid_shape;  ///< index into scene.fluid of each particle
   std::vector<Vec2> boundary;
+  std::vector<uint32_t> boundary_shape;  ///< index into scene.boundary of each sample
   uint64_t boundary_dropped = 0;  ///< boundary samples left out because they lay within h/2 of an earlier one
 };
 

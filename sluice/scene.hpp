@@ -62,6 +62,14 @@ struct FluidShape {
 struct BoundaryShape {
   std::variant<Rect, Disc, Polygon, Container, Segment> geometry;
   std::string key, where;
+  std::string name;  ///< that the scene gives it; may be empty
+};
+
+/// One table of [[probe]]: a point, or a line x = const or y = const; one of the three is there.
+struct Probe {
+  std::string name;
+  std::optional<Vec2> at;
+  std::optional<double> x, y;
 };
 
 struct Ssph {
@@ -120,6 +128,8 @@ struct Scene {
 
   BoundaryModel boundary_model = BoundaryModel::none;
   std::vector<BoundaryShape> boundary;
+
+  std::vector<Probe> probes;
 
   ViscosityModel viscosity_model = ViscosityModel::none;
   double viscosity = 0;  ///< nu (laplacian) or alpha (xsph)

@@ -26,9 +26,6 @@ constexpr std::array<FieldDescription, 4> state_fields = {{
     {"pressure", "density velocity^2", "pressure, computed during the last step; 0 before the first"},
 }};
 
-/// Fields whose particles are in the order of the step before the last.
-constexpr FieldSet of_the_step_before{Field::id_in, Field::p_in, Field::rho_in, Field::cell};
-
 size_t columns_of(Type type) {
   switch (type) {
     case Type::vec4: return 4;
@@ -44,15 +41,6 @@ template <class T>
 std::vector<std::byte> copied(const std::vector<T>& values) {
   const auto bytes = std::as_bytes(std::span(values));
   return {bytes.begin(), bytes.end()};
-}
-
-template <class T>
-std::vector<std::byte> rows_by_id(const std::vector<T>& values, const std::vector<uint32_t>& ids) {
-  std::vector<T> sorted(values.size());
-  const size_t columns = values.size() / ids.size();
-  for (size_t i = 0; i < ids.size(); ++i)
-    std::copy_n(&values[columns * i], columns, &sorted[columns * ids[i]]);
-  return copied(sorted);
 }
 
 std::string_view words_for(NumberType type) {
@@ -238,13 +226,12 @@ FieldView Simulation::field(std::string_view name) const {
   if (name == "density") return kept(snapshot().density, 1);
   if (name == "pressure") return kept(snapshot().pressure, 1);
   const Field field = state_->planned(name, "position, velocity, density, pressure");
-  const FieldValues values = values_of(state_->backend(), field, state_->simulator.sizes());
   const size_t columns = columns_of(info(field).type);
+  if (!is_integer(field) && info(field).length == Length::fluid)
+    return kept(state_->simulator.reals(field), columns);
+  const FieldValues values = values_of(state_->backend(), field, state_->simulator.sizes());
   if (is_integer(field)) return state_->keep(name, copied(values.integers), NumberType::uint32, columns);
-  if (info(field).length != Length::fluid) return kept(values.reals, columns);
-  const Field id = of_the_step_before.has(field) ? Field::id_in : Field::id;
-  const FieldValues ids = values_of(state_->backend(), id, state_->simulator.sizes());
-  return state_->keep(name, rows_by_id(values.reals, ids.integers), NumberType::float64, columns);
+  return kept(values.reals, columns);
 }
 
 FieldView Simulation::field_in_memory(std::string_view name) const {
@@ -294,7 +281,7 @@ void Simulation::write_checkpoint(const std::filesystem::path& path) const {
 
 std::string Simulation::summary() const {
   const State& s = *state_;
-  const RunSummary summary{s.scene, s.samples, *s.device.backend_, s.simulator, s.statistics, s.watch};
+  const RunSummary summary{s.scene, s.samples, *s.device.backend_, s.simulator, s.statistics, s.watch, ""};
   return to_json(summary).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
 }
 

@@ -56,9 +56,14 @@ Scene scene_to_run(const RunOptions& options, const std::optional<Checkpoint>& f
     refuse_checkpoint(*options.scene);
     if (!from) return load_scene(*options.scene, options.overrides);
   }
+  if (!from && options.start_from) {
+    const Scene before = read_checkpoint(*options.start_from).scene;
+    return changed(before, options.overrides);
+  }
   if (!from)
     throw InputError(
-        "run: found no SCENE, expected a scene file, the name of a shipped scene, or --resume FILE");
+        "run: found no SCENE, expected a scene file, the name of a shipped scene, --resume or --start-from "
+        "FILE");
   const auto overrides = joined(from->scene.record.overrides, options.overrides);
   Scene scene = options.scene ? load_given(options, *from, overrides)
                               : parse_scene(from->scene.record.text, from->scene.file, overrides);
@@ -73,11 +78,18 @@ Scene scene_to_run(const RunOptions& options, const std::optional<Checkpoint>& f
 
 Simulator make_simulator(const RunOptions& options, const Scene& scene, const Samples& samples,
                          Backend& backend, const std::optional<Checkpoint>& from) {
-  if (!from) return Simulator(scene, samples, backend);
-  if (from->state.x.size() != samples.fluid.size()) {
+  const auto refuse_others = [&](const std::filesystem::path& file, const SimulationState& state) {
+    if (state.x.size() == samples.fluid.size()) return;
     throw InputError(fmt::format("{}: found {} particles, expected the {} of its scene; use another file",
-                                 options.resume->string(), from->state.x.size(), samples.fluid.size()));
+                                 file.string(), state.x.size(), samples.fluid.size()));
+  };
+  if (options.start_from) {
+    Checkpoint other = read_checkpoint(*options.start_from);
+    refuse_others(*options.start_from, other.state);
+    return Simulator(scene, samples, backend, as_start(std::move(other.state), other.scene, scene));
   }
+  if (!from) return Simulator(scene, samples, backend);
+  refuse_others(*options.resume, from->state);
   return Simulator(scene, samples, backend, from->state);
 }
 

@@ -113,13 +113,39 @@ void add_checkpoint_options(CLI::App& app, RunOptions& options) {
            "Go on from a checkpoint; SCENE may be left out. --steps and --time count from the scene's start")
       ->type_name("FILE")
       ->group("Checkpoints");
+  add_path(app, "--start-from", options.start_from,
+           "Start at time 0 with the particles of a checkpoint, as they are there, under any settings; SCENE "
+           "may be left "
+           "out")
+      ->type_name("FILE")
+      ->group("Checkpoints")
+      ->excludes("--resume");
 }
 
 void add_output_options(CLI::App& app, RunOptions& options) {
-  add_path(app, "--state", options.state, "Write the last state: id,x,y,vx,vy,density,pressure")
+  auto* state = add_path(app, "--state", options.state, "Write the last state: id,x,y,vx,vy,density,pressure")
+                    ->type_name("FILE.csv")
+                    ->group("Output");
+  app.add_option("--dump", options.dump,
+                 "Fields of the stages that the state has too, behind its other columns: a_p,A_ii (`sluice "
+                 "info SCENE` "
+                 "shows which there are)")
+      ->type_name("FIELD,...")
+      ->delimiter(',')
+      ->group("Output")
+      ->needs(state);
+  add_path(app, "--series", options.series, "Write one row per step: iterations, density, energies, ...")
       ->type_name("FILE.csv")
       ->group("Output");
-  add_path(app, "--series", options.series, "Write one row per step: iterations, density, energies, ...")
+  add_path(app, "--sweeps", options.sweeps,
+           "Write one row per sweep of the pressure solver: how far it has converged")
+      ->type_name("FILE.csv")
+      ->group("Output");
+  add_path(app, "--probes", options.probes, "Write one row per step: what the probes of the scene measure")
+      ->type_name("FILE.csv")
+      ->group("Output");
+  add_path(app, "--wall-forces", options.wall_forces,
+           "Write one row per step: force and torque of the pressure on each boundary shape")
       ->type_name("FILE.csv")
       ->group("Output");
   add_path(app, "--summary", options.summary, "Write counts, means, timings and settings")

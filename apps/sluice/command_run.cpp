@@ -16,6 +16,8 @@
 #include "apps/sluice/progress.hpp"
 #include "apps/sluice/warnings.hpp"
 #include "core/attempts.hpp"
+#include "core/measure/probes.hpp"
+#include "core/measure/wall_forces.hpp"
 #include "core/output/frame_clock.hpp"
 #include "core/output/series.hpp"
 #include "core/output/state_file.hpp"
@@ -68,9 +70,16 @@ void limit_frames(const RunOptions& options, const Scene& scene, double time) {
 
 /// None may be another one or what is read, but that a checkpoint may take the place of the one before it.
 void refuse_clashing_places(const RunOptions& options, const Scene& scene) {
-  std::vector<NamedFile> files{{"--state", options.state},        {"--series", options.series},
-                               {"--summary", options.summary},    {"--record", options.frames.record},
-                               {"--video", options.frames.video}, {"--frames", options.frames.frames},
+  std::vector<NamedFile> files{{"--sweeps", options.sweeps},
+                               {"--probes", options.probes},
+                               {"--wall-forces", options.wall_forces},
+                               {"--start-from", options.start_from},
+                               {"--state", options.state},
+                               {"--series", options.series},
+                               {"--summary", options.summary},
+                               {"--record", options.frames.record},
+                               {"--video", options.frames.video},
+                               {"--frames", options.frames.frames},
                                {"--vtk", options.frames.vtk}};
   if (options.scene) files.insert(files.begin(), {"the scene", scene.file});
   files.insert(files.begin(), {"--resume", options.resume});
@@ -85,14 +94,22 @@ class Outputs {
  public:
   /// Frames that were due before the checkpoint `from` are not made again.
   Outputs(const RunOptions& options, const Scene& scene, const Samples& samples, Machine& machine,
-          const std::optional<Checkpoint>& from)
-      : precision_(machine.backend().precision()),
+          const std::optional<Checkpoint>& from, const Simulator& simulator)
+      : dump_(options.dump),
+        precision_(machine.backend().precision()),
         takes_frames_(options.frames.any()),
         clock_(scene.fps),
         backend_(machine.gpu_backend()) {
     if (options.state) state_.emplace(*options.state);
     if (options.summary) summary_.emplace(*options.summary);
+    for (const std::string& field : dump_) columns_of("--dump", field, simulator);  // or it is refused
     if (options.series) series_.emplace(*options.series, precision_);
+    if (options.sweeps) step_files_.push_back(sweeps_file(*options.sweeps));
+    if (options.probes) step_files_.push_back(probes_file(*options.probes, scene, simulator));
+    if (options.wall_forces) {
+      step_files_.push_back(
+          wall_forces_file(*options.wall_forces, scene, samples, machine.backend(), simulator));
+    }
     FramesBefore before;
     if (from && takes_frames_) before = {clock_.advance(from->state.clock.time()), from->state.clock.time()};
     frames_.emplace(
@@ -102,6 +119,8 @@ class Outputs {
 
   void add(const Simulator& simulator, const StepReport& report, double seconds_per_step) {
     if (series_ && report.step > 0) series_->add(report);
+    if (report.step > 0)
+      for (StepFile& file : step_files_) file.add(report);
     if (!takes_frames_) return;
     // The buffers hold what a failed step led to, which may not be finite; the snapshot is fit to be shown.
     const StateSource state{[&] { return simulator.snapshot(); }, simulator.failure() ? nullptr : backend_};
@@ -117,6 +136,7 @@ class Outputs {
   void save() noexcept {
     Attempts attempt;
     if (series_) attempt([&] { series_->commit(); });
+    for (StepFile& file : step_files_) attempt([&] { file.commit(); });
     attempt([&] { frames_->finish(); });
   }
 
@@ -125,7 +145,8 @@ class Outputs {
     Attempts attempt;
     attempt([&] { checkpoints.write(summary.simulator, summary.statistics); });
     if (series_) attempt([&] { series_->commit(); });
-    if (state_) attempt([&] { write_state(*state_, summary.simulator.snapshot(), precision_); });
+    for (StepFile& file : step_files_) attempt([&] { file.commit(); });
+    if (state_) attempt([&] { write_last_state(summary.simulator); });
     if (summary_) attempt([&] { write_summary(summary); });
     attempt([&] { frames_->finish(); });
     attempt.end();
@@ -134,17 +155,25 @@ class Outputs {
   void tell_of_frames(bool quiet) const { frames_->tell(quiet); }
 
  private:
+  void write_last_state(const Simulator& simulator) {
+    std::vector<StateColumns> more;
+    for (const std::string& field : dump_) more.push_back(columns_of("--dump", field, simulator));
+    write_state(*state_, simulator.snapshot(), precision_, more);
+  }
+
   void write_summary(const RunSummary& summary) {
     summary_->write(to_json(summary).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n');
     summary_->commit();
   }
 
+  std::vector<std::string> dump_;
   Precision precision_;
   bool takes_frames_;
   FrameClock clock_;
   const gpu::GpuBackend* backend_;
   std::optional<OutputFile> state_, summary_;
   std::optional<SeriesFile> series_;
+  std::vector<StepFile> step_files_;
   std::optional<FrameOutputs> frames_;
 };
 
@@ -225,11 +254,18 @@ int run_command(const RunOptions& options) {
                      simulator.steps(), simulator.time()));
   }
   note_interrupts();  // from here on there is something to finish
-  Outputs outputs(options, scene, samples, machine, from);
+  if (options.sweeps) simulator.report_sweeps();
+  Outputs outputs(options, scene, samples, machine, from, simulator);
   Checkpoints checkpoints(options, scene, machine.backend(), simulator.time());
   RunStatistics statistics(from ? from->counts : RunCounts());
   Stopwatch watch;
-  const RunSummary summary{scene, samples, machine.backend(), simulator, statistics, watch};
+  const RunSummary summary{scene,
+                           samples,
+                           machine.backend(),
+                           simulator,
+                           statistics,
+                           watch,
+                           options.start_from ? options.start_from->string() : ""};
   {
     Progress progress(end.at_time() ? 0 : end.steps, end.latest(scene.dt), "steps", options.quiet,
                       simulator.steps(), simulator.time());

@@ -53,8 +53,9 @@ struct RunOptions {
   MachineOptions machine;
   std::optional<uint64_t> steps;
   std::optional<double> time;
-  std::optional<std::filesystem::path> state, series, summary;
-  std::optional<std::filesystem::path> checkpoint, resume;
+  std::optional<std::filesystem::path> state, series, summary, sweeps, probes, wall_forces;
+  std::vector<std::string> dump;  ///< fields whose values the state has too
+  std::optional<std::filesystem::path> checkpoint, resume, start_from;
   std::optional<double> checkpoint_every;  ///< in the scene's time
   FrameOptions frames;
   bool quiet = false;

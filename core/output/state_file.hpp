@@ -6,8 +6,19 @@
 
 namespace sluice {
 
-/// Writes the rows of `snapshot` and commits the file. At step 0 density and pressure have not been computed
-/// by a step yet and are written as 0.
-void write_state(OutputFile& file, const Snapshot& snapshot, Precision precision);
+/// Further columns of the state: a field's numbers, as many per particle as it has columns.
+struct StateColumns {
+  std::vector<std::string> names;
+  std::vector<double> values;
+};
+
+/// Writes the rows of `snapshot`, with `more` behind, and commits the file. At step 0 density and pressure
+/// have not been computed by a step yet and are written as 0.
+void write_state(OutputFile& file, const Snapshot& snapshot, Precision precision,
+                 const std::vector<StateColumns>& more = {});
+
+/// The columns of a field of reals per particle that the simulator's plan has. InputError, with `option`
+/// before what was found, when there is none of this name.
+StateColumns columns_of(const std::string& option, const std::string& field, const Simulator& simulator);
 
 }  // namespace sluice

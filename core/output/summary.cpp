@@ -56,7 +56,7 @@ void RunStatistics::add(const StepReport& report) {
 }
 
 nlohmann::ordered_json to_json(const RunSummary& summary) {
-  const auto& [scene, samples, backend, simulator, statistics, watch] = summary;
+  const auto& [scene, samples, backend, simulator, statistics, watch, start_from] = summary;
   const auto others = watch.others();
   nlohmann::ordered_json json;
   json["format"] = 1;
@@ -95,21 +95,24 @@ nlohmann::ordered_json to_json(const RunSummary& summary) {
   }
   json["particle_sweeps_per_second"] = sweeps_per_second(summary);
   json["settings"] = settings_of(scene);
+  json["start_from"] =
+      start_from.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(start_from);
   return json;
 }
 
 std::string to_text(const RunSummary& summary) {
-  const auto& [scene, samples, backend, simulator, statistics, watch] = summary;
+  const auto& [scene, samples, backend, simulator, statistics, watch, start_from] = summary;
   const uint64_t before = statistics.before().steps;
   const std::string last = before > 0 ? fmt::format(", the last {}", statistics.steps() - before) : "";
   std::string text = fmt::format(
-      "{}: {} steps of {}, {:g} simulated{} in {:.3g} s ({:.3g} s of processors), {} + {} particles\n", scene.title,
-      statistics.steps(), title_of(scene.method), simulator.time(), last, watch.wall(), watch.cpu(),
-      samples.fluid.size(), samples.boundary.size());
+      "{}: {} steps of {}, {:g} simulated{} in {:.3g} s ({:.3g} s of processors), {} + {} particles\n",
+      scene.title, statistics.steps(), title_of(scene.method), simulator.time(), last, watch.wall(),
+      watch.cpu(), samples.fluid.size(), samples.boundary.size());
   if (const auto others = watch.others(); was_busy(others)) {
-    text += fmt::format("the machine was busy: other programs had {:.1f} processors; compare no seconds but those "
-                        "of processors\n",
-                        *others);
+    text += fmt::format(
+        "the machine was busy: other programs had {:.1f} processors; compare no seconds but those "
+        "of processors\n",
+        *others);
   }
   if (simulator.plan().sweeps()) {
     text +=

@@ -56,6 +56,7 @@ struct RunSummary {
   const Simulator& simulator;
   const RunStatistics& statistics;
   const Stopwatch& watch;  ///< of the steps made here, loading and output excluded
+  std::string start_from;  ///< checkpoint whose particles it started with; empty if they were the scene's own
 };
 
 /// Summary as JSON, settings included; numbers that are not finite become null.

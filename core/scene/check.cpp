@@ -12,8 +12,6 @@
 namespace sluice {
 namespace {
 
-using Kind = SceneValue::Kind;
-
 std::string join_path(std::string_view parent, std::string_view name) {
   return parent.empty() ? std::string(name) : fmt::format("{}.{}", parent, name);
 }
@@ -28,25 +26,28 @@ bool in_range(double number, const KeyRange& range) {
 /// The range of a length is checked when the spacing is known.
 bool is_length(const SceneValue& value) {
   return value.is_number() ? std::isfinite(value.number)
-                           : value.kind == Kind::text && parse_length(value.text).has_value();
+                           : value.kind == SceneValue::Kind::text && parse_length(value.text).has_value();
 }
 
 /// Whether the value is good as far as its elements do not matter.
 bool fits(const SceneValue& value, const SceneKey& key, KeyType type) {
   const size_t size = value.items.size();
   switch (type) {
-    case KeyType::text: return value.kind == Kind::text;
+    case KeyType::text: return value.kind == SceneValue::Kind::text;
     case KeyType::number: return value.is_number() && in_range(value.number, key.range);
-    case KeyType::integer: return value.kind == Kind::integer && in_range(value.number, key.range);
+    case KeyType::integer:
+      return value.kind == SceneValue::Kind::integer && in_range(value.number, key.range);
     case KeyType::length: return is_length(value);
-    case KeyType::table: return value.kind == Kind::table;
+    case KeyType::table: return value.kind == SceneValue::Kind::table;
     case KeyType::choice:
-      return value.kind == Kind::text && std::ranges::count(key.choices, value.text, &ChoiceInfo::name) > 0;
+      return value.kind == SceneValue::Kind::text &&
+             std::ranges::count(key.choices, value.text, &ChoiceInfo::name) > 0;
     case KeyType::choices:
       if (size > key.choices.size()) return false;
       [[fallthrough]];
     default:
-      return value.kind == Kind::array && size >= type_info(type).least && size <= type_info(type).most;
+      return value.kind == SceneValue::Kind::array && size >= type_info(type).least &&
+             size <= type_info(type).most;
   }
 }
 

@@ -111,11 +111,14 @@ constexpr auto rows = std::to_array<SceneKey>({
     {"boundary.rect[].max", lengths, "length", "", "Excluded upper corner: ceil((`max` - `min`)/h - 1e-6) samples each way."},
     {"boundary.rect[].count", integers, "", "", "Columns and rows, in place of `max`.", at_least(1)},
     {"boundary.rect[].layers", integer, "", "0", "Keeps this many outer layers only; 0 keeps all.", from_to(0, 1000)},
+    {"boundary.rect[].name", text, "", "", "What `--wall-forces` calls it; its place in the file if not given."},
 
     {"boundary.disc[].centre", lengths, "length", required_key, "Centre, where a sample sits."},
     {"boundary.disc[].radius", length, "length", required_key, "Radius.", positive},
+    {"boundary.disc[].name", text, "", "", "What `--wall-forces` calls it; its place in the file if not given."},
 
     {"boundary.polygon[].points", points, "length", required_key, "Corners, in order; the last is joined to the first."},
+    {"boundary.polygon[].name", text, "", "", "What `--wall-forces` calls it; its place in the file if not given."},
 
     {"boundary.container[].min", lengths, "length", required_key, "Lower left corner, on the outermost layer."},
     {"boundary.container[].max", lengths, "length", required_key, "Upper right corner, beyond `min` both ways."},
@@ -123,10 +126,12 @@ constexpr auto rows = std::to_array<SceneKey>({
      "Thickness of each wall; 1 is enough for an \"akinci\" boundary.", from_to(1, 1000)},
     {"boundary.container[].sides", choices, "", "[\"left\", \"right\", \"bottom\"]",
      "The walls there are.", {}, choices_of(Side{}).rows},
+    {"boundary.container[].name", text, "", "", "What `--wall-forces` calls it; its place in the file if not given."},
 
     {"boundary.segment[].from", lengths, "length", required_key, "Start, where a sample sits."},
     {"boundary.segment[].to", lengths, "length", required_key, "End."},
     {"boundary.segment[].layers", integer, "", "3", "Thickness.", from_to(1, 1000)},
+    {"boundary.segment[].name", text, "", "", "What `--wall-forces` calls it; its place in the file if not given."},
 
     key<&Scene::viscosity_model>("viscosity.model", "", required_key, "How velocities are made alike."),
     key<&Scene::viscosity>("viscosity.coefficient", "length²/time", required_key,
@@ -165,6 +170,11 @@ constexpr auto rows = std::to_array<SceneKey>({
      "In place of `dt`: steps adapt so that no particle moves more than `cfl` h in one.", positive),
     key<&Scene::adaptive, &AdaptiveStep::dt_min>("time.dt_min", "time", "", "Smallest step; needed with `cfl`.", positive),
     key<&Scene::adaptive, &AdaptiveStep::dt_max>("time.dt_max", "time", "", "Largest step; needed with `cfl`.", positive),
+
+    {"probe[].name", text, "", required_key, "Name of its columns; no two are the same."},
+    {"probe[].at", lengths, "length", "", "A point: pressure, density and velocity there."},
+    {"probe[].x", length, "length", "", "A vertical line in place of `at`: the height of the surface on it."},
+    {"probe[].y", length, "length", "", "A horizontal line in place of `at`: the front of the fluid on it, its largest x."},
 
     key<&Scene::fps>("output.fps", "1/time", "25.0", "Pictures per unit of time.", positive),
     {"output.size", integers, "pixel", "",
@@ -206,6 +216,7 @@ constexpr auto rows = std::to_array<SceneKey>({
      "\"wcsph\"."},
     {"time", table, "", required_key,
      "Time step and duration. The step is `dt` of the chosen method's table, else `dt` here; one of the two is needed."},
+    {"probe[]", tables, "", "", "A probe, for `--probes`: takes one of `at`, `x` and `y`."},
     {"output", table, "", "{}", "Pictures of the run."},
 });
 // clang-format on

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <tuple>
 #include <utility>
@@ -35,6 +36,23 @@ bool on_a_line(const std::vector<Vec2>& points) {
   });
 }
 
+/// A name that can be part of a column's.
+std::string plain_name(const SceneValue& value) {
+  const bool plain = !value.text.empty() && std::ranges::all_of(value.text, [](unsigned char c) {
+    return std::isalnum(c) != 0 || c == '_' || c == '-' || c >= 0x80;
+  });
+  if (!plain) throw refusal({&value}, describe(value), "a name of letters, digits, _ and -");
+  return value.text;
+}
+
+/// Refuses the second of two names that are the same.
+void refuse_same_names(const std::vector<const SceneValue*>& names) {
+  for (size_t i = 0; i < names.size(); ++i)
+    for (size_t k = 0; k < i; ++k)
+      if (names[i]->text == names[k]->text)
+        throw refusal({names[i], names[k]}, describe(*names[i]) + " a second time", "a name of its own");
+}
+
 /// Reads lengths and shapes.
 class ShapeReader {
  public:
@@ -65,6 +83,7 @@ class ShapeReader {
 
     constexpr bool fluid = std::is_same_v<Shape, FluidShape>;
     std::vector<Shape> shapes;
+    std::vector<const SceneValue*> names;
     for (auto [kind, table] : tables) {
       Shape& shape = shapes.emplace_back();
       shape.key = table->path;
@@ -76,11 +95,28 @@ class ShapeReader {
         shape.velocity = vector_of(table->at("velocity"));
         shape.velocity_gradient = matrix(table->at("velocity_gradient"));
       } else {
+        if (const SceneValue* name = table->find("name")) {
+          shape.name = plain_name(*name);
+          names.push_back(name);
+        }
         if (kind == "container") shape.geometry = container(*table);
         if (kind == "segment") shape.geometry = segment(*table);
       }
     }
+    refuse_same_names(names);
     return shapes;
+  }
+
+  Probe probe(const SceneValue& table) const {
+    const SceneValue *at = table.find("at"), *x = table.find("x"), *y = table.find("y");
+    if ((at != nullptr) + (x != nullptr) + (y != nullptr) != 1)
+      throw refusal(table.where, table.path,
+                    at || x || y ? "more than one of at, x and y" : "nothing of at, x and y", "one of them");
+    Probe probe{plain_name(table.at("name")), {}, {}, {}};
+    if (at) probe.at = point(*at);
+    if (x) probe.x = length(*x);
+    if (y) probe.y = length(*y);
+    return probe;
   }
 
  private:
@@ -201,6 +237,14 @@ void read_lengths(const SceneValue& root, Scene& scene) {
   if (scene.fluid.empty()) refuse_no_fluid(fluid);
   if (const SceneValue* boundary = root.find("boundary"))
     scene.boundary = reader.shapes<BoundaryShape>(*boundary);
+  if (const SceneValue* probes = root.find("probe")) {
+    std::vector<const SceneValue*> names;
+    for (const SceneValue& table : probes->items) {
+      scene.probes.push_back(reader.probe(table));
+      names.push_back(&table.at("name"));
+    }
+    refuse_same_names(names);
+  }
 }
 
 }  // namespace sluice

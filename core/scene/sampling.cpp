@@ -40,6 +40,7 @@ void sample_boundary(const Scene& scene, Samples& samples, Places& places) {
       }
       places.add(point, s);
       samples.boundary.push_back(point);
+      samples.boundary_shape.push_back(s);
     }
   }
 }

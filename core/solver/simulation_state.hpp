@@ -29,4 +29,7 @@ struct SimulationState {
   std::vector<double> density, pressure;  ///< computed during the last step
 };
 
+/// The state as a start of `scene`, at step 0 and time 0; it is from a run of `before`.
+SimulationState as_start(SimulationState state, const Scene& before, const Scene& scene);
+
 }  // namespace sluice

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "core/solver/sorted_boundary.hpp"
 #include "core/solver/verdict.hpp"
 #include "sluice/error.hpp"
 
@@ -22,24 +23,6 @@ constexpr uint32_t most_sweeps_unseen = 64;
 std::vector<Vec2> moved(std::vector<Vec2> points, Vec2 by) {
   for (Vec2& point : points) point += by;
   return points;
-}
-
-/// Boundary samples sorted by grid cell, and the first of each cell.
-struct SortedBoundary {
-  std::vector<uint32_t> C;
-  std::vector<Vec2> x;
-};
-
-SortedBoundary sort_boundary(const std::vector<Vec2>& samples, const Params& params, uint64_t cells) {
-  const std::vector<Vec2> boundary = moved(samples, -params.origin);
-  SortedBoundary sorted;
-  sorted.C.assign(cells + 1, 0);
-  sorted.x.resize(boundary.size());
-  for (const Vec2 x : boundary) ++sorted.C[cell_of(params, x) + 1];
-  std::partial_sum(sorted.C.begin(), sorted.C.end(), sorted.C.begin());
-  std::vector<uint32_t> next = sorted.C;
-  for (const Vec2 x : boundary) sorted.x[next[cell_of(params, x)]++] = x;
-  return sorted;
 }
 
 std::span<const double> flat(const std::vector<Vec2>& values) {
@@ -168,7 +151,7 @@ void Simulator::set_up(const Plan& plan, const Params& params) {
   backend_.allocate(plan.fields(), sizes_);
   backend_.configure(params, plan.needs);
   if (plan.needs.boundary) {
-    const SortedBoundary boundary = sort_boundary(samples_.boundary, params, sizes_.cells);
+    const SortedBoundary boundary = sort_boundary(samples_.boundary, params);
     backend_.upload(Field::C_boundary, boundary.C);
     backend_.upload(Field::x_boundary, flat(boundary.x));
   }
@@ -242,8 +225,9 @@ Simulator::List Simulator::judge_list() {
 void Simulator::solve_pressure(const std::vector<Stage>& sweep, StepReport& report) {
   std::array<uint32_t, 2> sweeps{};
   backend_.upload(Field::sweeps, sweeps);
-  uint32_t times = first_look_;
+  uint32_t times = reports_sweeps_ ? 1 : first_look_;
   uint64_t asked_for = 0;
+  report.sweeps.clear();
   do {
     if (asked_for > params_.max_iterations + uint64_t{most_sweeps_unseen}) {
       throw EnvironmentError(
@@ -255,13 +239,32 @@ void Simulator::solve_pressure(const std::vector<Stage>& sweep, StepReport& repo
     backend_.sweep(sweep, times);
     backend_.download(Field::sweeps, sweeps);
     asked_for += times;
-    times = sweeps_between_looks;
+    if (reports_sweeps_)
+      report.sweeps.push_back(last_sweep());
+    else
+      times = sweeps_between_looks;
   } while (static_cast<Solve>(sweeps[1]) == Solve::unfinished);
   std::array<double, 4> solve{};
   backend_.download(Field::solve, solve);
   report.iterations = sweeps[0];
   report.converged = static_cast<Solve>(sweeps[1]) == Solve::converged;
   report.residual = report.converged || !std::isfinite(solve[1]) ? solve[0] : solve[1];
+}
+
+/// From the sums that its stop test had, in double.
+SweepReport Simulator::last_sweep() const {
+  std::vector<double> sums(sizes_.of(Length::residual));
+  backend_.download(Field::residual_sums, sums);
+  const auto total = [&](ResidualSum which) {
+    const auto chunks = static_cast<std::ptrdiff_t>(sizes_.chunks());
+    const auto first = sums.begin() + static_cast<std::ptrdiff_t>(which) * chunks;
+    return std::accumulate(first, first + chunks, 0.0);
+  };
+  const auto quotient = [](double a, double b) { return a == 0 ? 0 : a / b; };
+  std::array<double, 4> solve{};
+  backend_.download(Field::solve, solve);
+  return {quotient(total(ResidualSum::error), params_.rho0 * total(ResidualSum::counted)),
+          std::sqrt(quotient(total(ResidualSum::squares), total(ResidualSum::source_squares))), solve[2]};
 }
 
 void Simulator::change_dt(double dt) {
@@ -363,6 +366,17 @@ Snapshot Simulator::snapshot() const {
           by_id(scalars(Field::rho), id), by_id(scalars(Field::p), id), steps_};
 }
 
+/// Most fields are in the order of the last step; these are in that of the one before.
+std::vector<double> Simulator::reals(Field field) const {
+  constexpr FieldSet of_the_step_before{Field::p_in, Field::rho_in};
+  const std::vector<uint32_t> id = ids(of_the_step_before.has(field) ? Field::id_in : Field::id);
+  const size_t columns = element_bytes(info(field).type, 1);
+  std::vector<double> values(columns * id.size()), sorted(values.size());
+  backend_.download(field, values);
+  for (size_t i = 0; i < id.size(); ++i) std::copy_n(&values[columns * i], columns, &sorted[columns * id[i]]);
+  return sorted;
+}
+
 /// State before the last step, which is still there: x and v in the order of the last step, rho and p in that
 /// of the step before.
 Snapshot Simulator::state_before_step() const {
@@ -426,6 +440,7 @@ Simulator::Simulator(Outliving<Scene> scene, Outliving<Samples> samples, Backend
   backend_.upload(Field::rho, state.density);
   backend_.upload(Field::p, state.pressure);
   losses_.know(params_, state.x);
+  if (scene_.adaptive && steps_ == 0) begin_adaptive(state.x, state.v);
   backend_.reset_seconds();
 }
 

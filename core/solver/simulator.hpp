@@ -52,8 +52,15 @@ class Simulator {
   /// start.
   Snapshot snapshot() const;
 
+  /// Numbers of a planned field of reals that has one or several per particle, as the last step left them,
+  /// particles in the order of their ids.
+  std::vector<double> reals(Field field) const;
+
   /// State that another simulator can go on from. Only while there is no failure().
   SimulationState state() const;
+
+  /// Has every step report its sweeps from now on. Then each is waited for, which takes a device longer.
+  void report_sweeps() { reports_sweeps_ = true; }
 
   /// Sets the positions, or velocities, that the next step starts from, in the order of ids. InputError when
   /// there are not as many as particles, or when one is not finite in this precision: then nothing changes.
@@ -81,6 +88,7 @@ class Simulator {
   enum class List { fits, longer_now, beyond_bounds };
   List judge_list();
   void solve_pressure(const std::vector<Stage>& sweep, StepReport& report);
+  SweepReport last_sweep() const;
   Snapshot state_before_step() const;
   std::vector<uint32_t> ids(Field field) const;
   std::vector<double> scalars(Field field) const;
@@ -92,6 +100,7 @@ class Simulator {
   Params params_;
   Sizes sizes_;
   Plan plan_;
+  bool reports_sweeps_ = false;
   uint32_t first_look_ = 1;  ///< sweeps before the solve is looked at: as many as the last one needed
   uint64_t steps_ = 0;
   std::optional<StepControl> control_;  ///< where the steps adapt

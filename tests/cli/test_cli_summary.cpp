@@ -64,7 +64,8 @@ TEST(CliSummary, HasItsKeysInOrder) {
                          "cfl_max",
                          "seconds",
                          "particle_sweeps_per_second",
-                         "settings"}));
+                         "settings",
+                         "start_from"}));
   EXPECT_EQ(summary["format"], 1);
   EXPECT_EQ(summary["version"], version());
   EXPECT_EQ(summary["commit"].is_null() ? "" : summary["commit"], commit());
