@@ -35,6 +35,11 @@ struct Polygon {
   std::vector<Vec2> points;
 };
 
+/// Particles one by one, as a file has them.
+struct Points {
+  std::vector<Vec2> at, velocity;  ///< as many of both
+};
+
 /// Walls of an axis-parallel box, `layers` samples thick from each named wall inward.
 struct Container {
   Vec2 min{};
@@ -52,7 +57,7 @@ struct Segment {
 
 /// One table of [[fluid.*]]; `key` is its place in the scene ("fluid.rect.0"), `where` its FILE:LINE:COLUMN.
 struct FluidShape {
-  std::variant<Rect, Disc, Polygon> geometry;
+  std::variant<Rect, Disc, Polygon, Points> geometry;
   Vec2 velocity{};
   glm::dmat2 velocity_gradient{0.0};  ///< G in v += G (x - centre of the shape); column-major as in GLM
   std::string key, where;

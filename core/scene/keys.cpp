@@ -105,6 +105,10 @@ constexpr auto rows = std::to_array<SceneKey>({
     {"fluid.polygon[].velocity", numbers, "length/time", "[0.0, 0.0]", "Initial velocity."},
     {"fluid.polygon[].velocity_gradient", matrix, "1/time", no_gradient, gradient_meaning},
 
+    {"fluid.particles[].file", text, "", required_key,
+     "A CSV file with the columns x and y, and vx and vy if it has them, as `--state` writes it; beside the scene's file."},
+    {"fluid.particles[].velocity", numbers, "length/time", "[0.0, 0.0]", "Initial velocity, added to that in the file."},
+
     key<&Scene::boundary_model>("boundary.model", "", required_key, "How walls act on the fluid."),
 
     {"boundary.rect[].min", lengths, "length", required_key, "The first sample."},
@@ -192,6 +196,8 @@ constexpr auto rows = std::to_array<SceneKey>({
     {"fluid.disc[]", tables, "", "", "A disc of fluid: the lattice of spacing h through its centre, strictly inside."},
     {"fluid.polygon[]", tables, "", "",
      "A polygon of fluid: the lattice of spacing h through its first point, strictly inside."},
+    {"fluid.particles[]", tables, "", "",
+     "Particles from a file, where and as fast as they are there. They may be closer than h/2, as in a run."},
     {"boundary", table, "", "",
      "Solid walls that do not move. Leave the table out when there are none. A sample closer than h/2 to an earlier one is "
      "dropped."},

@@ -9,6 +9,7 @@
 
 #include "core/scene/length.hpp"
 #include "core/scene/passes.hpp"
+#include "core/scene/points_file.hpp"
 #include "core/scene/shapes.hpp"
 
 namespace sluice {
@@ -57,7 +58,9 @@ void refuse_same_names(const std::vector<const SceneValue*>& names) {
 class ShapeReader {
  public:
   /// `spacing` is the value of particles.spacing; it must outlive the reader.
-  explicit ShapeReader(const SceneValue& spacing) : spacing_(spacing), h_(spacing.number) {}
+  /// Files are looked for from the `folder` on.
+  ShapeReader(const SceneValue& spacing, std::filesystem::path folder)
+      : spacing_(spacing), h_(spacing.number), folder_(std::move(folder)) {}
 
   Vec2 point(const SceneValue& pair) const { return {length(pair.items[0]), length(pair.items[1])}; }
 
@@ -93,7 +96,10 @@ class ShapeReader {
       if (kind == "polygon") shape.geometry = polygon(*table, fluid);
       if constexpr (fluid) {
         shape.velocity = vector_of(table->at("velocity"));
-        shape.velocity_gradient = matrix(table->at("velocity_gradient"));
+        if (kind == "particles")
+          shape.geometry = particles(*table);
+        else
+          shape.velocity_gradient = matrix(table->at("velocity_gradient"));
       } else {
         if (const SceneValue* name = table->find("name")) {
           shape.name = plain_name(*name);
@@ -175,6 +181,18 @@ class ShapeReader {
     return polygon;
   }
 
+  Points particles(const SceneValue& table) {
+    const SceneValue& file = table.at("file");
+    Points points;
+    try {
+      points = read_points(folder_ / file.text);
+    } catch (const InputError& error) {
+      throw refusal({&file}, error.what(), "a CSV file with columns x and y");
+    }
+    add_samples(table, static_cast<double>(points.at.size()));
+    return points;
+  }
+
   Container container(const SceneValue& table) {
     auto [min, max] = box(table, false);
     Container box{min, max, layers_of(table)};
@@ -213,6 +231,7 @@ class ShapeReader {
 
   const SceneValue& spacing_;
   double h_;
+  std::filesystem::path folder_;
   double samples_ = 0;  ///< so far; an upper bound for discs and polygons
 };
 
@@ -229,7 +248,7 @@ class ShapeReader {
 Vec2 vector_of(const SceneValue& pair) { return {pair.items[0].number, pair.items[1].number}; }
 
 void read_lengths(const SceneValue& root, Scene& scene) {
-  ShapeReader reader(root.at("particles").at("spacing"));
+  ShapeReader reader(root.at("particles").at("spacing"), std::filesystem::path(scene.file).parent_path());
   std::tie(scene.domain_min, scene.domain_max) = reader.box(root.at("domain"), true);
   const SceneValue& fluid = root.at("fluid");
   scene.centre = reader.point(fluid.at("centre"));

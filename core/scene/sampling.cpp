@@ -66,8 +66,16 @@ void sample_fluid(const Scene& scene, Samples& samples, Places& places) {
                       "larger or particles.spacing smaller",
                       shape.where, shape.key));
     }
+    const auto* given = std::get_if<Points>(&shape.geometry);
+    if (given != nullptr) {
+      samples.fluid_velocity.resize(samples.fluid.size());
+      samples.fluid_velocity.insert(samples.fluid_velocity.end(), given->velocity.begin(),
+                                    given->velocity.end());
+    }
     for (const Vec2 point : points) {
-      if (const auto* other = places.near(point)) refuse_overlap(scene, shape, point, *other);
+      // What a run has left may be closer.
+      const auto* other = given != nullptr ? nullptr : places.near(point);
+      if (other != nullptr) refuse_overlap(scene, shape, point, *other);
       samples.fluid.push_back(point);
       samples.fluid_shape.push_back(s);
     }
@@ -75,6 +83,7 @@ void sample_fluid(const Scene& scene, Samples& samples, Places& places) {
     if (s + 1 == scene.fluid.size()) continue;
     for (const Vec2 point : points) places.add(point, static_cast<uint32_t>(scene.boundary.size()) + s);
   }
+  if (!samples.fluid_velocity.empty()) samples.fluid_velocity.resize(samples.fluid.size());
 }
 
 }  // namespace
@@ -94,6 +103,11 @@ Vec2 start_velocity(const FluidShape& shape, double spacing, Vec2 x) {
   const Vec2 centre =
       std::visit([&](const auto& geometry) { return centre_of(geometry, spacing); }, shape.geometry);
   return shape.velocity + shape.velocity_gradient * (x - centre);
+}
+
+Vec2 start_velocity(const Scene& scene, const Samples& samples, size_t i, Vec2 x) {
+  const Vec2 v = start_velocity(scene.fluid[samples.fluid_shape[i]], scene.spacing, x);
+  return samples.fluid_velocity.empty() ? v : v + samples.fluid_velocity[i];
 }
 
 Samples sample(const Scene& scene) {

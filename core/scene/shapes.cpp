@@ -71,6 +71,8 @@ std::vector<Vec2> points_of(const Polygon& polygon, double h) {
                  [&](Vec2 point) { return inside_polygon(polygon.points, point, 1e-9 * h); });
 }
 
+std::vector<Vec2> points_of(const Points& points, double) { return points.at; }
+
 std::vector<Vec2> points_of(const Container& box, double h) {
   std::vector<Vec2> points;
   const auto column = [&](double x) {
@@ -107,6 +109,7 @@ double count_bound(const Polygon& polygon, double h) {
   const Vec2 n = (box.max - box.min) / h + 1.0;
   return n.x * n.y;
 }
+double count_bound(const Points& points, double) { return double(points.at.size()); }
 double count_bound(const Container& box, double h) {
   const Vec2 n = (box.max - box.min) / h + 1.0;
   return box.layers * ((box.left + box.right) * n.y + (box.bottom + box.top) * n.x);
@@ -117,6 +120,7 @@ double count_bound(const Segment& segment, double h) {
 
 Vec2 centre_of(const Rect& rect, double h) { return rect.min + 0.5 * h * (Vec2(rect.count) - 1.0); }
 Vec2 centre_of(const Disc& disc, double) { return disc.centre; }
+Vec2 centre_of(const Points&, double) { return {}; }
 Vec2 centre_of(const Polygon& polygon, double) {
   double area = 0;
   Vec2 moment{};

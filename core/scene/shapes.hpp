@@ -11,6 +11,7 @@ namespace sluice {
 std::vector<Vec2> points_of(const Rect& rect, double h);
 std::vector<Vec2> points_of(const Disc& disc, double h);
 std::vector<Vec2> points_of(const Polygon& polygon, double h);
+std::vector<Vec2> points_of(const Points& points, double h);
 std::vector<Vec2> points_of(const Container& box, double h);
 std::vector<Vec2> points_of(const Segment& segment, double h);
 
@@ -18,12 +19,15 @@ std::vector<Vec2> points_of(const Segment& segment, double h);
 double count_bound(const Rect& rect, double h);
 double count_bound(const Disc& disc, double h);
 double count_bound(const Polygon& polygon, double h);
+double count_bound(const Points& points, double h);
 double count_bound(const Container& box, double h);
 double count_bound(const Segment& segment, double h);
 
-/// The middle of a rect's lattice, a disc's centre, a polygon's centre of area.
+/// The middle of a rect's lattice, a disc's centre, a polygon's centre of area; of points it is not asked
+/// for.
 Vec2 centre_of(const Rect& rect, double h);
 Vec2 centre_of(const Disc& disc, double h);
 Vec2 centre_of(const Polygon& polygon, double h);
+Vec2 centre_of(const Points& points, double h);
 
 }  // namespace sluice

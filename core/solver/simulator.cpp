@@ -78,7 +78,7 @@ Simulator::Simulator(const Scene& scene, const Samples& samples, Backend& backen
 void Simulator::start(const std::vector<Vec2>& x) {
   std::vector<Vec2> v(x.size());
   for (size_t i = 0; i < x.size(); ++i) {
-    v[i] = start_velocity(scene_.fluid[samples_.fluid_shape[i]], scene_.spacing, params_.origin + x[i]);
+    v[i] = start_velocity(scene_, samples_, i, params_.origin + x[i]);
   }
   set_up(plan_, params_);
   upload_state(x, v);

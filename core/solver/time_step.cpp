@@ -98,7 +98,7 @@ double largest_impact_speed(const Scene& scene, const Samples& samples) {
   const Extremes fluid = potentials(scene, samples.fluid), boundary = potentials(scene, samples.boundary);
   double fastest = 0;
   for (size_t i = 0; i < samples.fluid.size(); ++i) {
-    const Vec2 v = start_velocity(scene.fluid[samples.fluid_shape[i]], scene.spacing, samples.fluid[i]);
+    const Vec2 v = start_velocity(scene, samples, i, samples.fluid[i]);
     fastest = std::max(fastest, std::hypot(v.x, v.y));
   }
   const double fall = std::max(fluid.largest - boundary.least, 0.0);

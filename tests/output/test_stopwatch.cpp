@@ -1,6 +1,4 @@
 // Seconds by the wall clock and of processors, and what others do meanwhile.
-#include "core/stopwatch.hpp"
-
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/wait.h>
@@ -8,6 +6,8 @@
 
 #include <chrono>
 #include <thread>
+
+#include "core/stopwatch.hpp"
 
 namespace sluice::test {
 namespace {
@@ -44,7 +44,8 @@ TEST(Stopwatch, ThreadsCountTogether) {
   EXPECT_GT(watch.cpu(), 0.02);
 }
 
-// A child is another program. How much of a processor it gets where others run too is not known, but it gets some.
+// A child is another program. How much of a processor it gets where others run too is not known, but it gets
+// some.
 TEST(Stopwatch, SeesOtherProgramsButNotItself) {
   EXPECT_FALSE(Stopwatch().others()) << "in less than a second";
   Stopwatch watch;

@@ -10,10 +10,12 @@
 #include <set>
 #include <sstream>
 
+#include "core/output/output_file.hpp"
 #include "core/scene/keys.hpp"
 #include "core/scene/settings.hpp"
 #include "core/scene/tree.hpp"
 #include "sluice/load.hpp"
+#include "tests/support/run_program.hpp"
 
 namespace sluice {
 namespace {
@@ -51,23 +53,27 @@ TEST(SceneKeys, ChoicesBelongToChoiceKeys) {
 // A scene without optional keys loads with each default; the same scene with each default written out must
 // too, and mean the same.
 TEST(SceneKeys, DefaultsAreGoodValues) {
+  const TemporaryFolder folder;
+  write_file(folder / "points.csv", "x,y\n3,3\n");
   const std::string text =
       "[scene]\ntitle = \"a\"\n[particles]\nspacing = 1\nrest_density = 1\n[domain]\nmin = [0, 0]\nmax = [9, "
       "9]\n"
       "[fluid]\ngravity = [0, 0]\n[[fluid.rect]]\nmin = [0, 0]\ncount = [1, 1]\n[[fluid.disc]]\ncentre = [5, "
       "5]\n"
-      "radius = 1\n[[fluid.polygon]]\npoints = [[7, 7], [9, 7], [9, 9]]\n[boundary]\nmodel = \"mirror\"\n"
+      "radius = 1\n[[fluid.particles]]\nfile = \"points.csv\"\n[[fluid.polygon]]\npoints = [[7, 7], [9, 7], "
+      "[9, 9]]\n[boundary]\nmodel = \"mirror\"\n"
       "[[boundary.rect]]\nmin = [0, 0]\ncount = [1, 1]\n[[boundary.container]]\nmin = [0, 0]\nmax = [9, 9]\n"
       "[[boundary.segment]]\nfrom = [0, 0]\nto = [9, 0]\n[pressure]\nmethod = \"iisph\"\n[pressure.wcsph]\n"
       "kappa = 1\n[time]\ndt = 1\nduration = 1\n";
-  Scene plain = parse_scene(text, "t.toml");
+  const std::string file = folder / "t.toml";
+  Scene plain = parse_scene(text, file);
   size_t defaults = 0;
   for (const SceneKey& key : scene_keys()) {
     if (key.fallback.empty() || key.fallback == required_key) continue;
     std::string path(key.path);
     if (size_t array = path.find("[]"); array != path.npos) path.replace(array, 2, ".0");
     std::vector<std::string> overrides{path + "=" + std::string(key.fallback)};
-    EXPECT_EQ(settings_of(parse_scene(text, "t.toml", overrides)), settings_of(plain)) << overrides[0];
+    EXPECT_EQ(settings_of(parse_scene(text, file, overrides)), settings_of(plain)) << overrides[0];
     ++defaults;
   }
   EXPECT_GT(defaults, 20u);
@@ -105,6 +111,7 @@ std::set<std::string> shown_keys(const std::string& text) {
   std::string section;
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("# [")) line.erase(0, 2);
     if (line.starts_with('[')) {
       bool array = line.starts_with("[[");
       section = line.substr(array ? 2 : 1, line.find(']') - (array ? 2 : 1)) + (array ? "[]" : "");

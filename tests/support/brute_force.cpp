@@ -21,7 +21,7 @@ BruteForce::BruteForce(const Scene& scene, const Samples& samples)
       symmetric_(mirror_ && scene.method == PressureMethod::iisph && scene.iisph.wall == Wall::symmetric) {
   const size_t n = x.size();
   for (size_t i = 0; i < n; ++i) {
-    v.push_back(start_velocity(scene.fluid[samples.fluid_shape[i]], h_, x[i]));
+    v.push_back(start_velocity(scene, samples, i, x[i]));
   }
   p.assign(n, 0);
   rho = A_ii = s = reals[Field::A_ii] = p;

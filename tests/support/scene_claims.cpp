@@ -37,6 +37,10 @@ class Finite {
     (*this)(key, disc.radius);
   }
   void operator()(std::string_view key, const Polygon& polygon) { (*this)(key, polygon.points); }
+  void operator()(std::string_view key, const Points& points) {
+    (*this)(key, points.at);
+    (*this)(key, points.velocity);
+  }
   void operator()(std::string_view key, const Container& box) {
     (*this)(key, box.min);
     (*this)(key, box.max);
