@@ -9,8 +9,8 @@
 namespace sluice::gpu {
 
 struct DeviceOptions {
-  std::optional<int> gl_device;  ///< number in `sluice info`; the first that can be used if not given
-  std::optional<std::filesystem::path> shader_dir;  ///< a folder with shaders in place of the library's own
+  std::optional<int> gl_device{};  ///< number in `sluice info`; the first that can be used if not given
+  std::optional<std::filesystem::path> shader_dir{};  ///< a folder with shaders in place of the library's own
   /// Particles that there will be, about: where a processor plays the card, it does better with one thread
   /// for few.
   uint64_t particles = 0;

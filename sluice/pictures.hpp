@@ -25,9 +25,9 @@ struct Image {
 namespace sluice::media {
 
 struct PictureOptions {
-  std::optional<glm::uvec2> size;  ///< pixels; the scene's if not given
-  std::optional<Colour> colour;    ///< the scene's if not given
-  bool colour_bar = true;          ///< for density and pressure
+  std::optional<glm::uvec2> size{};  ///< pixels; the scene's if not given
+  std::optional<Colour> colour{};    ///< the scene's if not given
+  bool colour_bar = true;            ///< for density and pressure
 };
 
 /// Draws states of one scene.

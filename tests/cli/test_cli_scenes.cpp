@@ -12,6 +12,7 @@
 #include "core/output/summary.hpp"
 #include "core/scene/keys.hpp"
 #include "sluice/load.hpp"
+#include "sluice/version.hpp"
 #include "tests/support/run_program.hpp"
 #include "tests/support/table.hpp"
 

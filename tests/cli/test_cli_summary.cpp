@@ -10,6 +10,7 @@
 #include "core/output/output_file.hpp"
 #include "core/output/summary.hpp"
 #include "sluice/load.hpp"
+#include "sluice/version.hpp"
 #include "tests/support/run_program.hpp"
 #include "tests/support/table.hpp"
 

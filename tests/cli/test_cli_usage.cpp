@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/output/summary.hpp"
+#include "sluice/version.hpp"
 #include "tests/support/run_program.hpp"
 #include "tests/support/table.hpp"
 

@@ -53,7 +53,7 @@ TEST(SceneKeys, ChoicesBelongToChoiceKeys) {
 // A scene without optional keys loads with each default; the same scene with each default written out must
 // too, and mean the same.
 TEST(SceneKeys, DefaultsAreGoodValues) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   write_file(folder / "points.csv", "x,y\n3,3\n");
   const std::string text =
       "[scene]\ntitle = \"a\"\n[particles]\nspacing = 1\nrest_density = 1\n[domain]\nmin = [0, 0]\nmax = [9, "

@@ -34,14 +34,18 @@ void require_size(const glsl::Memory& memory, size_t words) {
 
 }  // namespace
 
-glsl::Memory& TranslatedBackend::memory(Field field) const { return glsl::memory_of(gpu::block_name(field)); }
+glsl::Memory& TranslatedBackend::words_of_field(Field field) const {
+  return glsl::memory_of(gpu::block_name(field));
+}
 
-void TranslatedBackend::make_field(Field field) { memory(field).resize(words_of(field, sizes_), true); }
+void TranslatedBackend::make_field(Field field) {
+  words_of_field(field).resize(words_of(field, sizes_), true);
+}
 
 void TranslatedBackend::allocate(FieldSet fields, const Sizes& sizes) {
   fields_ = fields;
   sizes_ = sizes;
-  for (uint32_t i = 0; i < field_count; ++i) memory(static_cast<Field>(i)).resize(0, false);
+  for (uint32_t i = 0; i < field_count; ++i) words_of_field(static_cast<Field>(i)).resize(0, false);
   for_each_field(fields, [&](Field field) { make_field(field); });
   scratch().resize(gpu::scratch_size(sizes), false);
   sweep_groups().resize(3 * static_cast<uint64_t>(gpu::SweepGroups::count), true);
@@ -78,7 +82,7 @@ void TranslatedBackend::run(Stage stage, bool in_sweep) {
   scratch().forget();
   const FieldSet reads = reads_of(stage, needs_);
   for_each_field(writes_of(stage, needs_), [&](Field field) {
-    if (!reads.has(field)) memory(field).forget();
+    if (!reads.has(field)) words_of_field(field).forget();
   });
   for (const gpu::Pass& pass : gpu::passes_of(stage, sizes_, group_size)) {
     const gpu::PassConstants constants = gpu::constants_of(pass, sizes_);
@@ -105,30 +109,30 @@ void TranslatedBackend::sweep(const std::vector<Stage>& stages, uint32_t times) 
   }
 }
 
-void TranslatedBackend::swap(Field a, Field b) { memory(a).swap(memory(b)); }
+void TranslatedBackend::swap(Field a, Field b) { words_of_field(a).swap(words_of_field(b)); }
 
 void TranslatedBackend::upload(Field field, std::span<const double> values) {
-  require_size(memory(field), values.size());
-  std::ranges::transform(values, memory(field).words().begin(),
+  require_size(words_of_field(field), values.size());
+  std::ranges::transform(values, words_of_field(field).words().begin(),
                          [](double value) { return std::bit_cast<uint32_t>(static_cast<float>(value)); });
-  memory(field).mark_written();
+  words_of_field(field).mark_written();
 }
 
 void TranslatedBackend::upload(Field field, std::span<const uint32_t> values) {
-  require_size(memory(field), values.size());
-  std::ranges::copy(values, memory(field).words().begin());
-  memory(field).mark_written();
+  require_size(words_of_field(field), values.size());
+  std::ranges::copy(values, words_of_field(field).words().begin());
+  words_of_field(field).mark_written();
 }
 
 void TranslatedBackend::download(Field field, std::span<double> values) const {
-  require_size(memory(field), values.size());
-  std::ranges::transform(memory(field).words(), values.begin(),
+  require_size(words_of_field(field), values.size());
+  std::ranges::transform(words_of_field(field).words(), values.begin(),
                          [](uint32_t word) { return static_cast<double>(std::bit_cast<float>(word)); });
 }
 
 void TranslatedBackend::download(Field field, std::span<uint32_t> values) const {
-  require_size(memory(field), values.size());
-  std::ranges::copy(memory(field).words(), values.begin());
+  require_size(words_of_field(field), values.size());
+  std::ranges::copy(words_of_field(field).words(), values.begin());
 }
 
 }  // namespace sluice::test

@@ -33,7 +33,7 @@ class TranslatedBackend final : public Backend {
   int threads() const override { return 1; }
 
  private:
-  glsl::Memory& memory(Field field) const;
+  glsl::Memory& words_of_field(Field field) const;
   void make_field(Field field);
   void run(Stage stage, bool in_sweep);
   const glsl::Unit& unit(Stage stage, uint32_t pass) const;
