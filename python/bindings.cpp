@@ -201,6 +201,15 @@ void add_reports(py::module_& module) {
       .def_readonly("iterations", &StepReport::iterations)
       .def_readonly("residual", &StepReport::residual)
       .def_readonly("converged", &StepReport::converged)
+      .def_property_readonly(
+          "sweeps",
+          [](const StepReport& r) {
+            py::list sweeps;
+            for (const SweepReport& sweep : r.sweeps)
+              sweeps.append(py::dict("mean_compression"_a = sweep.mean_compression,
+                                     "residual"_a = sweep.residual, "step_length"_a = sweep.step_length));
+            return sweeps;
+          })
       .def("row", &row_of)
       .def("__repr__", [](const StepReport& r) {
         return fmt::format("<sluice.StepReport step {}, time {:g}, {} iterations{}>", r.step, r.time,
@@ -276,6 +285,28 @@ void add_simulation(py::module_& module) {
              const FieldView view = self.cast<const Simulation&>().field_in_memory(name);
              return view.in_place ? array_of(view, self) : array_of(view);
            })
+      .def(
+          "values_at",
+          [](const Simulation& simulation, std::pair<double, double> point) {
+            const PointValues there = simulation.values_at({point.first, point.second});
+            return py::dict("pressure"_a = there.pressure, "density"_a = there.density,
+                            "velocity"_a = tuple_of(there.velocity));
+          },
+          "point"_a)
+      .def("probes",
+           [](const Simulation& simulation) {
+             py::dict probes;
+             for (const auto& [name, value] : simulation.probes()) probes[py::str(name)] = value;
+             return probes;
+           })
+      .def("wall_forces",
+           [](const Simulation& simulation) {
+             py::dict forces;
+             for (const auto& [name, wall] : simulation.wall_forces())
+               forces[py::str(name)] = py::dict("force"_a = tuple_of(wall.force), "torque"_a = wall.torque);
+             return forces;
+           })
+      .def("report_sweeps", &Simulation::report_sweeps)
       .def("set_field", &set_field, "name"_a, "values"_a)
       .def("write_state", &Simulation::write_state, "path"_a)
       .def("write_checkpoint", &Simulation::write_checkpoint, "path"_a)

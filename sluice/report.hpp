@@ -47,6 +47,18 @@ struct StepReport {
   std::vector<SweepReport> sweeps;  ///< of the solve that stands, if they were asked for
 };
 
+/// What the fluid is like at a point between its particles; all 0 where none is in reach.
+struct PointValues {
+  double pressure = 0, density = 0;
+  Vec2 velocity{};
+};
+
+/// What the fluid's pressure does to a boundary shape.
+struct WallForce {
+  Vec2 force{};
+  double torque = 0;  ///< about the origin of the scene's coordinates, counterclockwise
+};
+
 /// Reason why a run is invalid, with the place and the moment.
 struct Failure {
   uint64_t step = 0;

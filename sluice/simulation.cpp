@@ -9,6 +9,9 @@
 #include <nlohmann/json.hpp>
 
 #include "core/agree/agreement.hpp"
+#include "core/measure/point.hpp"
+#include "core/measure/probes.hpp"
+#include "core/measure/wall_forces.hpp"
 #include "core/output/checkpoint.hpp"
 #include "core/output/state_file.hpp"
 #include "core/output/summary.hpp"
@@ -253,6 +256,29 @@ FieldView Simulation::field_in_memory(std::string_view name) const {
   return state_->keep(kept, copied(std::vector<float>(values.reals.begin(), values.reals.end())), type,
                       columns);
 }
+
+PointValues Simulation::values_at(Vec2 point) const {
+  return sluice::values_at(state_->scene, snapshot(), point);
+}
+
+std::vector<std::pair<std::string, std::optional<double>>> Simulation::probes() const {
+  const std::vector<std::string> names = probe_columns(state_->scene);
+  const auto values = probe_values(state_->scene, snapshot());
+  std::vector<std::pair<std::string, std::optional<double>>> probes;
+  for (size_t k = 0; k < names.size(); ++k) probes.emplace_back(names[k], values[k]);
+  return probes;
+}
+
+std::vector<std::pair<std::string, WallForce>> Simulation::wall_forces() const {
+  const State& s = *state_;
+  const auto forces =
+      WallForces(s.scene, s.samples, static_cast<uint32_t>(particles())).in(s.backend(), s.simulator.sizes());
+  std::vector<std::pair<std::string, WallForce>> named;
+  for (size_t k = 0; k < forces.size(); ++k) named.emplace_back(name_of(s.scene.boundary[k]), forces[k]);
+  return named;
+}
+
+void Simulation::report_sweeps() { state_->simulator.report_sweeps(); }
 
 void Simulation::set_positions(std::span<const Vec2> x) {
   state_->values.clear();

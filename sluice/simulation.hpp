@@ -115,6 +115,16 @@ class Simulation {
   /// memory. InputError for a name that the stages do not have.
   FieldView field_in_memory(std::string_view name) const;
 
+  /// Values at a point, as a probe of the scene has them (docs/output.md).
+  PointValues values_at(Vec2 point) const;
+  /// What the probes of the scene measure now, under the names of their columns; nothing where a line meets
+  /// no fluid.
+  std::vector<std::pair<std::string, std::optional<double>>> probes() const;
+  /// Forces on the boundary shapes in the last step, under their names.
+  std::vector<std::pair<std::string, WallForce>> wall_forces() const;
+  /// Has every step report the sweeps of its pressure solve from now on.
+  void report_sweeps();
+
   /// Sets the positions, or velocities, that the next step starts from, in the order of ids. InputError when
   /// there are not as many as particles, or one is not finite.
   void set_positions(std::span<const Vec2> x);

@@ -9,12 +9,6 @@
 
 namespace sluice {
 
-/// Values at a point; all 0 where no particle is in reach.
-struct PointValues {
-  double pressure = 0, density = 0;
-  Vec2 velocity{};
-};
-
 /// Values at `at`, from the particles within 2H: of the linear function that fits theirs best by least
 /// squares weighted with the kernel, which is exact for a linear field also beside a wall or the surface;
 /// where they are too few for one or all on a line, sum V_j W f_j / sum V_j W. Cf. the moving least squares

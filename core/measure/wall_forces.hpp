@@ -7,11 +7,6 @@
 
 namespace sluice {
 
-struct WallForce {
-  Vec2 force{};
-  double torque = 0;  ///< about the origin of the scene's coordinates, counterclockwise
-};
-
 /// The name of a boundary shape, or its place in the file: "container.0".
 std::string name_of(const BoundaryShape& shape);
 
