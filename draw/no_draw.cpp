@@ -19,7 +19,8 @@ const Panels& Renderer::panels() const {
 
 Renderer::Renderer(const gpu::Context&, glm::uvec2, Vec2, Vec2, double, ParticleShape) {}
 DeviceFluid::~DeviceFluid() = default;
-Painter::Painter(const gpu::Context& context, const Scene& scene, const Samples& samples, glm::uvec2 size)
+Painter::Painter(const gpu::Context& context, Outliving<Scene> scene, Outliving<Samples> samples,
+                 glm::uvec2 size)
     : context_(context), scene_(scene), samples_(samples), renderer_(context, size, {}, {}, 0) {}
 void Painter::paint(Frame, double, const Snapshot&) {}
 void Painter::paint(Frame, double, const gpu::GpuBackend&) {}

@@ -4,6 +4,7 @@ import json
 from pathlib import Path
 
 from . import _sluice
+from .simulation import pictures_of
 
 Moment = _sluice.Moment
 
@@ -24,8 +25,7 @@ class Recording(_sluice.Recording):
     def picture(self, frame, size=None, colour=None):
         """The picture of a moment, as Simulation.picture() draws it."""
         moment = self[frame]
-        pictures = _sluice._Pictures(self.scene, size and tuple(size), colour)
-        return pictures.draw(moment._snapshot, moment.report.dt)
+        return pictures_of(self.scene, size, colour).draw(moment._snapshot, moment.report.dt)
 
 
 def _table(self):

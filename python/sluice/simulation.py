@@ -9,6 +9,13 @@ from . import _sluice
 from .scenes import Scene, load
 
 
+def pictures_of(scene, size, colour):
+    """What draws states of a scene."""
+    if not hasattr(_sluice, "_Pictures"):
+        raise _sluice.EnvironmentError("pictures: this module was built without OpenGL; build it with -DSLUICE_GPU=ON")
+    return _sluice._Pictures(scene, size and tuple(size), colour)
+
+
 class Simulation(_sluice.Simulation):
     """A scene and what computes it.
 
@@ -76,7 +83,7 @@ class Simulation(_sluice.Simulation):
         are those of the scene if None."""
         key = (size and tuple(size), colour)
         if key not in self._pictures:
-            self._pictures[key] = _sluice._Pictures(self.scene, *key)
+            self._pictures[key] = pictures_of(self.scene, *key)
         return self._pictures[key].draw(self._snapshot(), self.dt)
 
     def summary(self):

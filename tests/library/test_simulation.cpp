@@ -45,21 +45,6 @@ TEST(LibrarySimulation, HasTheBitsOfTheSimulatorAndOwnsAllItNeeds) {
   EXPECT_EQ(moved.steps(), 2u);
 }
 
-TEST(LibrarySimulation, GoesOnFromACheckpointWithTheSameBits) {
-  const TemporaryFolder folder;
-  sluice::Simulation whole = dam_on_cpu(Precision::double_), first = dam_on_cpu(Precision::double_);
-  for (int k = 0; k < 8; ++k) whole.step();
-  for (int k = 0; k < 5; ++k) first.step();
-  first.write_checkpoint(folder / "five");
-  sluice::Simulation second =
-      sluice::Simulation::resume(folder / "five", cpu::device({.precision = Precision::double_}));
-  EXPECT_EQ(second.steps(), 5u);
-  for (int k = 0; k < 3; ++k) second.step();
-  EXPECT_EQ(second.snapshot().x, whole.snapshot().x);
-  EXPECT_THROW(sluice::Simulation::resume(folder / "five", cpu::device()), InputError);
-  EXPECT_THROW(sluice::Simulation::resume(folder / "none", cpu::device()), InputError);
-}
-
 TEST(LibrarySimulation, FieldsAreInTheOrderOfIds) {
   sluice::Simulation simulation = dam_on_cpu();
   for (int k = 0; k < 40; ++k) simulation.step();
