@@ -122,16 +122,18 @@ void add_checkpoint_options(CLI::App& app, RunOptions& options) {
       ->excludes("--resume");
 }
 
+CLI::Option* add_fields(CLI::App& app, std::vector<std::string>& fields, const std::string& help) {
+  return app.add_option("--dump", fields, help)->type_name("FIELD,")->delimiter(',')->allow_extra_args(false);
+}
+
 void add_output_options(CLI::App& app, RunOptions& options) {
   auto* state = add_path(app, "--state", options.state, "Write the last state: id,x,y,vx,vy,density,pressure")
                     ->type_name("FILE.csv")
                     ->group("Output");
-  app.add_option("--dump", options.dump,
-                 "Fields of the stages that the state has too, behind its other columns: a_p,A_ii (`sluice "
-                 "info SCENE` "
-                 "shows which there are)")
-      ->type_name("FIELD,...")
-      ->delimiter(',')
+  add_fields(
+      app, options.dump,
+      "Fields of the stages that the state has too, behind its other columns: a_p,A_ii (`sluice info SCENE` "
+      "shows which there are)")
       ->group("Output")
       ->needs(state);
   add_path(app, "--series", options.series, "Write one row per step: iterations, density, energies, ...")
@@ -304,10 +306,8 @@ void declare_agree_options(CLI::App& app, AgreeOptions& options) {
                     ->type_name("STAGE")
                     ->excludes("--split")
                     ->excludes(summary);
-  app.add_option("--dump", options.dump,
-                 "Print what both have in these fields after the last run of the stage, as CSV")
-      ->delimiter(',')
-      ->type_name("FIELD,...")
+  add_fields(app, options.dump,
+             "Print what both have in these fields after the last run of the stage, as CSV")
       ->needs(stage);
 }
 

@@ -5,10 +5,11 @@ set -euo pipefail
 python=$1 source=$2
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-git -C "$source" archive HEAD | tar -x -C "$work" --one-top-level=sluice
+mkdir "$work/source"
+git -C "$source" archive HEAD | tar -x -C "$work/source"
 "$python" -m venv --system-site-packages "$work/venv"
-"$work/venv/bin/pip" install --quiet --no-build-isolation --no-index "$work/sluice"
-mv "$work/sluice" "$work/gone"
+"$work/venv/bin/pip" install --quiet --no-build-isolation --no-index "$work/source"
+mv "$work/source" "$work/gone"
 cd "$work"
 venv/bin/python - <<'END'
 import sluice

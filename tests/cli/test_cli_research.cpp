@@ -101,6 +101,8 @@ TEST_F(CliResearch, FieldsAreFurtherColumnsOfTheState) {
   const Table plain = table("plain.csv"), more = table("more.csv");
   EXPECT_EQ(more.header, "id,x,y,vx,vy,density,pressure,rho,a_p_x,a_p_y,A_ii,v_x,v_y");
   EXPECT_EQ(more.column("x"), plain.column("x"));
+  run({"--steps", "9", "--state", "last.csv", "--dump", "rho", "breaking_dam"});  // which is no field
+  EXPECT_EQ(table("last.csv").column("rho"), more.column("rho"));
   EXPECT_EQ(more.column("rho"), more.column("density"));
   for (const double A_ii : more.column("A_ii")) EXPECT_LE(A_ii, 0);
 }
