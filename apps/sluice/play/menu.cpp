@@ -88,8 +88,7 @@ void show(Viewer& viewer, std::vector<Entry>& entries) {
     state.x = entry.samples.fluid;
     state.v.resize(state.x.size());
     for (size_t i = 0; i < state.x.size(); ++i)
-      state.v[i] =
-          start_velocity(entry.scene, entry.samples, i, state.x[i]);
+      state.v[i] = start_velocity(entry.scene, entry.samples, i, state.x[i]);
     const draw::Box cell = grid.cell(k);
     const glm::uvec2 corner(cell.left, cell.top), far(cell.right, cell.bottom);
     entry.painter->renderer().look(glm::max(far - corner, draw::smallest_picture), {});
