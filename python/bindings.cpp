@@ -83,21 +83,37 @@ void set_field(Simulation& simulation, const std::string& name,
   throw InputError(fmt::format("{}: found no field that can be set, expected position or velocity", name));
 }
 
-/// One step. The signals that arrived in it are seen to when it is over.
-StepReport step(Simulation& simulation, std::optional<double> end) {
-  StepReport report;
-  std::optional<Failure> failure;
-  {
-    py::gil_scoped_release released;
-    report = simulation.step(end.value_or(std::numeric_limits<double>::infinity()));
-    failure = simulation.failure();
-  }
-  if (failure) {
+void refuse_invalid(const Simulation& simulation) {
+  if (const auto failure = simulation.failure()) {
     throw InvalidRun(fmt::format("{}: invalid run: {} (step {}, time {:g}, particle {} near ({:g}, {:g}))",
                                  simulation.scene().file, failure->reason, failure->step, failure->time,
                                  failure->id, failure->x.x, failure->x.y));
   }
+}
+
+StepReport step(Simulation& simulation, std::optional<double> end) {
+  const StepReport report = [&] {
+    const py::gil_scoped_release released;
+    return simulation.step(end.value_or(std::numeric_limits<double>::infinity()));
+  }();
+  refuse_invalid(simulation);
   return report;
+}
+
+/// Steps up to `time`. After each of them signals are seen to, and `each`, if it is not None, is called.
+py::list run(Simulation& simulation, double time, const py::object& each) {
+  py::list reports;
+  {
+    const py::gil_scoped_release released;
+    simulation.run(time, [&](const StepReport& report) {
+      const py::gil_scoped_acquire acquired;
+      reports.append(report);
+      if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+      return each.is_none() || !each(report).is(py::bool_(false));
+    });
+  }
+  refuse_invalid(simulation);
+  return reports;
 }
 
 /// The columns of the series, in its order.
@@ -259,6 +275,7 @@ void add_simulation(py::module_& module) {
            }),
            Released())
       .def("step", &step, "end"_a = py::none())
+      .def("_run", &run)
       .def_property_readonly("scene", [](const Simulation& simulation) { return simulation.scene(); })
       .def_property_readonly("particles", &Simulation::particles)
       .def_property_readonly("boundary", [](const Simulation& s) { return copy_of(s.samples().boundary); })

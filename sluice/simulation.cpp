@@ -23,23 +23,19 @@
 namespace sluice {
 namespace {
 
-constexpr std::array<FieldDescription, 4> state_fields = {{
-    {"position", "length", "position after the last step"},
-    {"velocity", "length/time", "velocity after the last step"},
-    {"density", "density", "density, computed during the last step; of the start before the first"},
-    {"pressure", "density velocity^2", "pressure, computed during the last step; 0 before the first"},
+/// What people call the fields of the state, and where the stages have it.
+struct StateField {
+  FieldDescription description;
+  Field field;
+};
+constexpr std::array<StateField, 4> state_fields = {{
+    {{"position", "length", "position after the last step"}, Field::x_in},
+    {{"velocity", "length/time", "velocity after the last step"}, Field::v_in},
+    {{"density", "density", "density, computed during the last step; of the start before the first"},
+     Field::rho},
+    {{"pressure", "density velocity^2", "pressure, computed during the last step; 0 before the first"},
+     Field::p},
 }};
-
-size_t columns_of(Type type) {
-  switch (type) {
-    case Type::vec4: return 4;
-    case Type::vec2:
-    case Type::uvec2: return 2;
-    case Type::real:
-    case Type::uint: break;
-  }
-  return 1;
-}
 
 template <class T>
 std::vector<std::byte> copied(const std::vector<T>& values) {
@@ -55,6 +51,8 @@ std::string_view words_for(NumberType type) {
   }
   return "uint32_t";
 }
+
+size_t size_of(NumberType type) { return type == NumberType::float64 ? 8 : 4; }
 
 template <class T>
 constexpr NumberType number_type = std::is_same_v<T, float>    ? NumberType::float32
@@ -73,10 +71,7 @@ Samples sampled(const Scene& scene, const Checkpoint& from, const Backend& backe
                                  file, name_of(from.precision), name_of(backend.precision())));
   }
   Samples samples = sampled(scene, backend);
-  if (from.state.x.size() != samples.fluid.size()) {
-    throw InputError(fmt::format("{}: found {} particles, expected the {} of its scene; use another file",
-                                 file, from.state.x.size(), samples.fluid.size()));
-  }
+  require_particles(file, from.state, samples);
   return samples;
 }
 
@@ -112,10 +107,19 @@ struct Simulation::State {
   RunStatistics statistics;
   Stopwatch watch{};
   mutable std::map<std::string, std::vector<std::byte>> values{};  ///< of the views that were given out
+  mutable std::optional<Snapshot> state{};                         ///< that points and lines are measured in
+  mutable std::optional<WallForces> walls{};
 
   Backend& backend() const { return *device.backend_; }
   /// The field of the stages with this name. InputError, with `more` names before theirs, if there is none.
   Field planned(std::string_view name, std::string_view more) const;
+  /// Numbers of a field of the state, by ids; after a failure those that can be shown.
+  std::vector<double> values_of_state(Field field) const;
+  const Snapshot& now() const { return state ? *state : state.emplace(simulator.snapshot()); }
+  void forget() {
+    values.clear();
+    state.reset();
+  }
   FieldView keep(std::string_view name, std::vector<std::byte> bytes, NumberType type, size_t columns) const;
 
   State(Scene its_scene, Device its_device)
@@ -154,7 +158,7 @@ StepReport Simulation::step(double end) {
         fmt::format("{}: found {:g} as the end of a step, expected a time after {:g}, where it begins",
                     state_->scene.file, end, simulator.time()));
   }
-  state_->values.clear();
+  state_->forget();
   state_->watch.start();
   StepReport report = simulator.step(end);
   state_->watch.stop();
@@ -193,7 +197,8 @@ std::vector<std::string> Simulation::warnings() const {
 Snapshot Simulation::snapshot() const { return state_->simulator.snapshot(); }
 
 std::vector<FieldDescription> Simulation::fields() const {
-  std::vector<FieldDescription> all(state_fields.begin(), state_fields.end());
+  std::vector<FieldDescription> all;
+  for (const StateField& each : state_fields) all.push_back(each.description);
   const FieldSet planned = state_->simulator.plan().fields();
   for (uint32_t f = 0; f < field_count; ++f) {
     const FieldInfo& row = field_table[f];
@@ -202,11 +207,26 @@ std::vector<FieldDescription> Simulation::fields() const {
   return all;
 }
 
+std::vector<double> Simulation::State::values_of_state(Field field) const {
+  const bool vectors = components(info(field).type) == 2;
+  std::vector<double> numbers;
+  if (!simulator.failure()) {
+    numbers = simulator.reals(field);
+    for (size_t k = 0; field == Field::x_in && k < numbers.size(); ++k)
+      numbers[k] += scene.domain_min[static_cast<int>(k % 2)];
+  } else if (vectors) {
+    for (const Vec2 each : field == Field::x_in ? now().x : now().v)
+      numbers.insert(numbers.end(), {each.x, each.y});
+  } else {
+    numbers = field == Field::rho ? now().density : now().pressure;
+  }
+  return numbers;
+}
+
 FieldView Simulation::State::keep(std::string_view name, std::vector<std::byte> bytes, NumberType type,
                                   size_t columns) const {
   std::vector<std::byte>& kept = values[std::string(name)] = std::move(bytes);
-  const size_t number = type == NumberType::float64 ? 8 : 4;
-  return {kept, type, kept.size() / number / columns, columns};
+  return {kept, type, kept.size() / size_of(type) / columns, columns};
 }
 
 Field Simulation::State::planned(std::string_view name, std::string_view more) const {
@@ -225,12 +245,12 @@ FieldView Simulation::field(std::string_view name) const {
   const auto kept = [&](const auto& values, size_t columns) {
     return state_->keep(name, copied(values), NumberType::float64, columns);
   };
-  if (name == "position") return kept(snapshot().x, 2);
-  if (name == "velocity") return kept(snapshot().v, 2);
-  if (name == "density") return kept(snapshot().density, 1);
-  if (name == "pressure") return kept(snapshot().pressure, 1);
+  const auto of_state =
+      std::ranges::find(state_fields, name, [](const StateField& each) { return each.description.name; });
+  if (of_state != state_fields.end())
+    return kept(state_->values_of_state(of_state->field), components(info(of_state->field).type));
   const Field field = state_->planned(name, "position, velocity, density, pressure");
-  const size_t columns = columns_of(info(field).type);
+  const size_t columns = components(info(field).type);
   if (!is_integer(field) && info(field).length == Length::fluid)
     return kept(state_->simulator.reals(field), columns);
   const FieldValues values = values_of(state_->backend(), field, state_->simulator.sizes());
@@ -240,7 +260,7 @@ FieldView Simulation::field(std::string_view name) const {
 
 FieldView Simulation::field_in_memory(std::string_view name) const {
   const Field field = state_->planned(name, "");
-  const size_t columns = columns_of(info(field).type);
+  const size_t columns = components(info(field).type);
   const bool in_float = device().precision() == Precision::single_;
   const NumberType type = is_integer(field) ? NumberType::uint32
                           : in_float        ? NumberType::float32
@@ -248,7 +268,7 @@ FieldView Simulation::field_in_memory(std::string_view name) const {
   if (const auto bytes = state_->backend().memory(field); !bytes.empty()) {
     const Length length = info(field).length;
     const bool grows = length == Length::list || length == Length::gradients;
-    return {bytes, type, bytes.size() / (type == NumberType::float64 ? 8 : 4) / columns, columns, !grows};
+    return {bytes, type, bytes.size() / size_of(type) / columns, columns, !grows};
   }
   const FieldValues values = values_of(state_->backend(), field, state_->simulator.sizes());
   const std::string kept = fmt::format("{} in memory", name);
@@ -259,12 +279,12 @@ FieldView Simulation::field_in_memory(std::string_view name) const {
 }
 
 PointValues Simulation::values_at(Vec2 point) const {
-  return sluice::values_at(state_->scene, snapshot(), point);
+  return sluice::values_at(state_->scene, state_->now(), point);
 }
 
 std::vector<std::pair<std::string, std::optional<double>>> Simulation::probes() const {
   const std::vector<std::string> names = probe_columns(state_->scene);
-  const auto values = probe_values(state_->scene, snapshot());
+  const auto values = probe_values(state_->scene, state_->now());
   std::vector<std::pair<std::string, std::optional<double>>> probes;
   for (size_t k = 0; k < names.size(); ++k) probes.emplace_back(names[k], values[k]);
   return probes;
@@ -272,8 +292,8 @@ std::vector<std::pair<std::string, std::optional<double>>> Simulation::probes() 
 
 std::vector<std::pair<std::string, WallForce>> Simulation::wall_forces() const {
   const State& s = *state_;
-  const auto forces =
-      WallForces(s.scene, s.samples, static_cast<uint32_t>(particles())).in(s.backend(), s.simulator.sizes());
+  if (!s.walls) s.walls.emplace(s.scene, s.samples);
+  const auto forces = s.walls->in(s.backend(), s.simulator.sizes());
   std::vector<std::pair<std::string, WallForce>> named;
   for (size_t k = 0; k < forces.size(); ++k) named.emplace_back(name_of(s.scene.boundary[k]), forces[k]);
   return named;
@@ -282,12 +302,12 @@ std::vector<std::pair<std::string, WallForce>> Simulation::wall_forces() const {
 void Simulation::report_sweeps() { state_->simulator.report_sweeps(); }
 
 void Simulation::set_positions(std::span<const Vec2> x) {
-  state_->values.clear();
+  state_->forget();
   state_->simulator.set_positions(x);
 }
 
 void Simulation::set_velocities(std::span<const Vec2> v) {
-  state_->values.clear();
+  state_->forget();
   state_->simulator.set_velocities(v);
 }
 

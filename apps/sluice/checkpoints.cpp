@@ -50,16 +50,14 @@ std::optional<Checkpoint> checkpoint_to_resume(const RunOptions& options) {
   return from;
 }
 
-Scene scene_to_run(const RunOptions& options, const std::optional<Checkpoint>& from) {
+Scene scene_to_run(const RunOptions& options, const std::optional<Checkpoint>& from,
+                   const std::optional<Checkpoint>& start) {
   if (options.scene) {
     media::refuse_recording(*options.scene);
     refuse_checkpoint(*options.scene);
     if (!from) return load_scene(*options.scene, options.overrides);
   }
-  if (!from && options.start_from) {
-    const Scene before = read_checkpoint(*options.start_from).scene;
-    return changed(before, options.overrides);
-  }
+  if (start) return changed(start->scene, options.overrides);
   if (!from)
     throw InputError(
         "run: found no SCENE, expected a scene file, the name of a shipped scene, --resume or --start-from "
@@ -77,19 +75,14 @@ Scene scene_to_run(const RunOptions& options, const std::optional<Checkpoint>& f
 }
 
 Simulator make_simulator(const RunOptions& options, const Scene& scene, const Samples& samples,
-                         Backend& backend, const std::optional<Checkpoint>& from) {
-  const auto refuse_others = [&](const std::filesystem::path& file, const SimulationState& state) {
-    if (state.x.size() == samples.fluid.size()) return;
-    throw InputError(fmt::format("{}: found {} particles, expected the {} of its scene; use another file",
-                                 file.string(), state.x.size(), samples.fluid.size()));
-  };
-  if (options.start_from) {
-    Checkpoint other = read_checkpoint(*options.start_from);
-    refuse_others(*options.start_from, other.state);
-    return Simulator(scene, samples, backend, as_start(std::move(other.state), other.scene, scene));
+                         Backend& backend, const std::optional<Checkpoint>& from,
+                         std::optional<Checkpoint>& start) {
+  if (start) {
+    require_particles(options.start_from->string(), start->state, samples);
+    return Simulator(scene, samples, backend, as_start(std::move(start->state), start->scene, scene));
   }
   if (!from) return Simulator(scene, samples, backend);
-  refuse_others(*options.resume, from->state);
+  require_particles(options.resume->string(), from->state, samples);
   return Simulator(scene, samples, backend, from->state);
 }
 

@@ -15,14 +15,17 @@ namespace sluice::app {
 /// not that of this run.
 std::optional<Checkpoint> checkpoint_to_resume(const RunOptions& options);
 
-/// The scene of a run: SCENE, or the one in the checkpoint, with the overrides of both. InputError when there
-/// is none, or when it differs from that of the checkpoint in anything that counts for the steps.
-Scene scene_to_run(const RunOptions& options, const std::optional<Checkpoint>& from);
+/// The scene of a run: SCENE, or the one in the checkpoint that it goes on `from` or that its `start` is,
+/// with the overrides of both. InputError when there is none, or when it differs from that of the checkpoint
+/// in anything that counts for the steps.
+Scene scene_to_run(const RunOptions& options, const std::optional<Checkpoint>& from,
+                   const std::optional<Checkpoint>& start);
 
-/// Simulator at the start, or where the checkpoint left off. InputError when the checkpoint has other
-/// particles.
+/// Simulator at the scene's start, at the `start` of a checkpoint, whose state it takes, or where one left
+/// off. InputError when the checkpoint has other particles.
 Simulator make_simulator(const RunOptions& options, const Scene& scene, const Samples& samples,
-                         Backend& backend, const std::optional<Checkpoint>& from);
+                         Backend& backend, const std::optional<Checkpoint>& from,
+                         std::optional<Checkpoint>& start);
 
 /// Clock that says when a checkpoint is due: at the first step with time >= k T, for every k from 1 on.
 class CheckpointClock {

@@ -95,14 +95,14 @@ class Outputs {
   /// Frames that were due before the checkpoint `from` are not made again.
   Outputs(const RunOptions& options, const Scene& scene, const Samples& samples, Machine& machine,
           const std::optional<Checkpoint>& from, const Simulator& simulator)
-      : dump_(options.dump),
-        precision_(machine.backend().precision()),
+      : precision_(machine.backend().precision()),
         takes_frames_(options.frames.any()),
         clock_(scene.fps),
         backend_(machine.gpu_backend()) {
     if (options.state) state_.emplace(*options.state);
     if (options.summary) summary_.emplace(*options.summary);
-    for (const std::string& field : dump_) columns_of("--dump", field, simulator);  // or it is refused
+    for (const std::string& name : options.dump)
+      dump_.push_back(particle_field("--dump", name, simulator.plan()));
     if (options.series) series_.emplace(*options.series, precision_);
     if (options.sweeps) step_files_.push_back(sweeps_file(*options.sweeps));
     if (options.probes) step_files_.push_back(probes_file(*options.probes, scene, simulator));
@@ -157,7 +157,7 @@ class Outputs {
  private:
   void write_last_state(const Simulator& simulator) {
     std::vector<StateColumns> more;
-    for (const std::string& field : dump_) more.push_back(columns_of("--dump", field, simulator));
+    for (const Field field : dump_) more.push_back(columns_of(field, simulator));
     write_state(*state_, simulator.snapshot(), precision_, more);
   }
 
@@ -166,12 +166,12 @@ class Outputs {
     summary_->commit();
   }
 
-  std::vector<std::string> dump_;
   Precision precision_;
   bool takes_frames_;
   FrameClock clock_;
   const gpu::GpuBackend* backend_;
   std::optional<OutputFile> state_, summary_;
+  std::vector<Field> dump_;
   std::optional<SeriesFile> series_;
   std::vector<StepFile> step_files_;
   std::optional<FrameOutputs> frames_;
@@ -227,7 +227,9 @@ int report_end(const RunSummary& summary, const RunEnd& end, bool quiet) {
 
 int run_command(const RunOptions& options) {
   std::optional<Checkpoint> from = checkpoint_to_resume(options);
-  const Scene scene = scene_to_run(options, from);
+  std::optional<Checkpoint> start;
+  if (options.start_from) start = read_checkpoint(*options.start_from);
+  const Scene scene = scene_to_run(options, from, start);
   const RunEnd end = end_of(options, scene);
   limit_frames(options, scene, std::max(end.latest(scene.dt), from ? from->state.clock.time() : 0));
   refuse_clashing_places(options, scene);
@@ -245,7 +247,7 @@ int run_command(const RunOptions& options) {
   for (const std::string& limit : beyond_limits(scene, samples)) warn(options.quiet, limit);
 
   // May refuse the scene: then nothing is written.
-  Simulator simulator = make_simulator(options, scene, samples, machine.backend(), from);
+  Simulator simulator = make_simulator(options, scene, samples, machine.backend(), from, start);
   if (from) from->state = {from->state.clock, {}, {}, {}, {}, {}};  // the rest is in the backend now
   if (from && end.reached(simulator)) {
     warn(options.quiet,

@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/glm.hpp>
-#include <numbers>
+
+#include "core/measure/kernel.hpp"
 
 namespace sluice {
 namespace {
@@ -14,21 +15,15 @@ namespace {
 constexpr double determined = 1e-3;
 constexpr double half = 0.5;
 
-/// The cubic spline in two dimensions [Monaghan 1992] at distance r.
-double kernel(const Scene& scene, double r) {
-  const double H = scene.smoothing_length(), q = r / H;
-  const double a = std::max(2 - q, 0.0), b = std::max(1 - q, 0.0);
-  return 5 / (14 * std::numbers::pi * H * H) * (a * a * a - 4 * b * b * b);
-}
-
 /// f(j, x_j - at, W_j) for the particles within 2H.
 template <class F>
 void for_each_in_reach(const Scene& scene, const Snapshot& state, Vec2 at, F&& f) {
+  const Params params = make_params(scene, static_cast<uint32_t>(state.x.size()));
   const double reach = 2 * scene.smoothing_length();
   for (size_t j = 0; j < state.x.size(); ++j) {
     const Vec2 apart = state.x[j] - at;
     if (!(std::abs(apart.x) < reach && std::abs(apart.y) < reach)) continue;
-    if (const double r = glm::length(apart); r < reach) f(j, apart, kernel(scene, r));
+    if (const double r = glm::length(apart); r < reach) f(j, apart, kernel(params, r));
   }
 }
 

@@ -6,27 +6,17 @@
 #include <cmath>
 
 #include "core/agree/agreement.hpp"
+#include "core/measure/kernel.hpp"
 #include "core/text.hpp"
 #include "sluice/error.hpp"
 
 namespace sluice {
-namespace {
-
-/// The gradient of the cubic spline [Monaghan 1992] with respect to x_i, for x_ib of length r.
-Vec2 kernel_gradient(const Params& params, Vec2 x_ib, double r) {
-  if (r == 0) return {};
-  const double q = r * params.inverse_H, a = std::max(2 - q, 0.0), b = std::max(1 - q, 0.0);
-  return params.gradient_factor * (12 * b * b - 3 * a * a) / r * x_ib;
-}
-
-}  // namespace
-
 std::string name_of(const BoundaryShape& shape) {
   return shape.name.empty() ? shape.key.substr(shape.key.find('.') + 1) : shape.name;
 }
 
-WallForces::WallForces(const Scene& scene, const Samples& samples, uint32_t particles)
-    : params_(make_params(scene, particles)),
+WallForces::WallForces(const Scene& scene, const Samples& samples)
+    : params_(make_params(scene, static_cast<uint32_t>(samples.fluid.size()))),
       pseudo_mass_(needs_of(model_of(scene)).pseudo_mass),
       shapes_(scene.boundary.size()),
       boundary_(sort_boundary(samples.boundary, params_)) {
@@ -73,16 +63,15 @@ StepFile wall_forces_file(const std::filesystem::path& path, Outliving<Scene> sc
   std::string header = "step,time";
   for (const BoundaryShape& shape : its_scene.boundary)
     for (const char* what : {"fx", "fy", "torque"}) header += fmt::format(",{}.{}", name_of(shape), what);
-  return {path, header,
-          [&its_backend, &its_simulator,
-           forces = WallForces(its_scene, its_samples, static_cast<uint32_t>(its_samples.fluid.size()))](
-              const StepReport& report) {
-            std::string row = fmt::format("{},{}", report.step, round_trip(report.time, Precision::double_));
-            for (const auto& [force, torque] : forces.in(its_backend, its_simulator.sizes()))
-              for (const double value : {force.x, force.y, torque})
-                row += ',' + round_trip(value, Precision::single_);
-            return row + '\n';
-          }};
+  return {
+      path, header,
+      [&its_backend, &its_simulator, forces = WallForces(its_scene, its_samples)](const StepReport& report) {
+        std::string row = fmt::format("{},{}", report.step, round_trip(report.time, Precision::double_));
+        for (const auto& [force, torque] : forces.in(its_backend, its_simulator.sizes()))
+          for (const double value : {force.x, force.y, torque})
+            row += ',' + round_trip(value, Precision::single_);
+        return row + '\n';
+      }};
 }
 
 }  // namespace sluice

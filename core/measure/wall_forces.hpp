@@ -15,7 +15,7 @@ std::string name_of(const BoundaryShape& shape);
 /// all.
 class WallForces {
  public:
-  WallForces(const Scene& scene, const Samples& samples, uint32_t particles);
+  WallForces(const Scene& scene, const Samples& samples);
   std::vector<WallForce> in(const Backend& backend, const Sizes& sizes) const;
 
  private:

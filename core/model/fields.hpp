@@ -151,16 +151,21 @@ constexpr bool is_integer(Field field) {
   return info(field).type == Type::uint || info(field).type == Type::uvec2;
 }
 
-/// Bytes of one element with reals of `real_bytes` bytes.
-constexpr uint32_t element_bytes(Type type, uint32_t real_bytes) {
+/// Numbers that an element is made of.
+constexpr uint32_t components(Type type) {
   switch (type) {
-    case Type::real: return real_bytes;
-    case Type::vec2: return 2 * real_bytes;
-    case Type::vec4: return 4 * real_bytes;
-    case Type::uint: return 4;
-    case Type::uvec2: return 8;
+    case Type::real:
+    case Type::uint: return 1;
+    case Type::vec2:
+    case Type::uvec2: return 2;
+    case Type::vec4: return 4;
   }
   return 0;
+}
+
+/// Bytes of one element with reals of `real_bytes` bytes.
+constexpr uint32_t element_bytes(Type type, uint32_t real_bytes) {
+  return components(type) * (type == Type::uint || type == Type::uvec2 ? 4 : real_bytes);
 }
 
 /// The numbers every length follows from.

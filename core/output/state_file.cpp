@@ -8,23 +8,28 @@
 
 namespace sluice {
 
-StateColumns columns_of(const std::string& option, const std::string& field, const Simulator& simulator) {
-  const FieldSet planned = simulator.plan().fields();
+Field particle_field(const std::string& option, const std::string& name, const Plan& plan) {
+  const FieldSet planned = plan.fields();
   std::string known;
   for (uint32_t f = 0; f < field_count; ++f) {
-    const Field candidate = static_cast<Field>(f);
-    const FieldInfo& row = info(candidate);
-    if (!planned.has(candidate) || is_integer(candidate) || row.length != Length::fluid) continue;
-    known += fmt::format("{}{}", known.empty() ? "" : ", ", row.name);
-    if (row.name != field) continue;
-    StateColumns columns{{}, simulator.reals(candidate)};
-    if (row.type == Type::real) columns.names = {field};
-    if (row.type == Type::vec2) columns.names = {field + "_x", field + "_y"};
-    if (row.type == Type::vec4) columns.names = {field + "_xx", field + "_xy", field + "_yx", field + "_yy"};
-    return columns;
+    const Field field = static_cast<Field>(f);
+    if (!planned.has(field) || is_integer(field) || info(field).length != Length::fluid) continue;
+    if (info(field).name == name) return field;
+    known += fmt::format("{}{}", known.empty() ? "" : ", ", info(field).name);
   }
   throw InputError(fmt::format("{}: found \"{}\", expected fields of particles that this scene has: {}",
-                               option, field, known));
+                               option, name, known));
+}
+
+StateColumns columns_of(Field field, const Simulator& simulator) {
+  const std::string name(info(field).name);
+  StateColumns columns{{}, simulator.reals(field)};
+  switch (components(info(field).type)) {
+    case 1: columns.names = {name}; break;
+    case 2: columns.names = {name + "_x", name + "_y"}; break;
+    default: columns.names = {name + "_xx", name + "_xy", name + "_yx", name + "_yy"};
+  }
+  return columns;
 }
 
 void write_state(OutputFile& file, const Snapshot& snapshot, Precision precision,

@@ -17,8 +17,10 @@ struct StateColumns {
 void write_state(OutputFile& file, const Snapshot& snapshot, Precision precision,
                  const std::vector<StateColumns>& more = {});
 
-/// The columns of a field of reals per particle that the simulator's plan has. InputError, with `option`
-/// before what was found, when there is none of this name.
-StateColumns columns_of(const std::string& option, const std::string& field, const Simulator& simulator);
+/// The field of reals per particle with this name that the plan has. InputError, with `option` before what
+/// was found, when there is none.
+Field particle_field(const std::string& option, const std::string& name, const Plan& plan);
+/// Its columns: NAME, or NAME_x and NAME_y of a vector, NAME_xx, ... of a matrix.
+StateColumns columns_of(Field field, const Simulator& simulator);
 
 }  // namespace sluice

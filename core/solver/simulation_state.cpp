@@ -1,7 +1,17 @@
 // Positions count from the domain's corner, which may be another.
 #include "core/solver/simulation_state.hpp"
 
+#include <fmt/format.h>
+
+#include "sluice/error.hpp"
+
 namespace sluice {
+
+void require_particles(const std::string& file, const SimulationState& state, const Samples& samples) {
+  if (state.x.size() == samples.fluid.size()) return;
+  throw InputError(fmt::format("{}: found {} particles, expected the {} of its scene; use another file", file,
+                               state.x.size(), samples.fluid.size()));
+}
 
 SimulationState as_start(SimulationState state, const Scene& before, const Scene& scene) {
   state.clock = {.dt = scene.dt};

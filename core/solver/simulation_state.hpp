@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/solver/diagnostics.hpp"
+#include "sluice/sampling.hpp"
 #include "sluice/scene.hpp"
 
 namespace sluice {
@@ -28,6 +29,9 @@ struct SimulationState {
   std::vector<Vec2> x, v;
   std::vector<double> density, pressure;  ///< computed during the last step
 };
+
+/// Throws an InputError, with the file's name, when the state in it has not as many particles as the samples.
+void require_particles(const std::string& file, const SimulationState& state, const Samples& samples);
 
 /// The state as a start of `scene`, at step 0 and time 0; it is from a run of `before`.
 SimulationState as_start(SimulationState state, const Scene& before, const Scene& scene);

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
@@ -33,17 +32,12 @@ std::span<double> flat(std::vector<Vec2>& values) {
   return {reinterpret_cast<double*>(values.data()), 2 * values.size()};
 }
 
+/// Values in the order of ids, `each` of them per particle.
 template <class T>
-std::vector<T> by_id(const std::vector<T>& values, const std::vector<uint32_t>& ids) {
+std::vector<T> by_id(const std::vector<T>& values, const std::vector<uint32_t>& ids, size_t each = 1) {
   std::vector<T> sorted(values.size());
-  for (size_t i = 0; i < values.size(); ++i) {
-    if (ids[i] >= values.size())
-      throw EnvironmentError(fmt::format(
-          "the device gave back particle {} of {}; its memory or its driver is at fault, try another "
-          "one, or --backend cpu",
-          ids[i], values.size()));
-    sorted[ids[i]] = values[i];
-  }
+  for (size_t i = 0; i < ids.size(); ++i)
+    for (size_t k = 0; k < each; ++k) sorted[each * ids[i] + k] = values[each * i + k];
   return sorted;
 }
 
@@ -345,6 +339,13 @@ void Simulator::find_failure(const StepReport& report, bool stands) {
 std::vector<uint32_t> Simulator::ids(Field field) const {
   std::vector<uint32_t> values(sizes_.fluid);
   backend_.download(field, values);
+  for (const uint32_t id : values) {
+    if (id >= sizes_.fluid)
+      throw EnvironmentError(fmt::format(
+          "the device gave back particle {} of {}; its memory or its driver is at fault, try another "
+          "one, or --backend cpu",
+          id, sizes_.fluid));
+  }
   return values;
 }
 
@@ -371,11 +372,10 @@ Snapshot Simulator::snapshot() const {
 std::vector<double> Simulator::reals(Field field) const {
   constexpr FieldSet of_the_step_before{Field::p_in, Field::rho_in};
   const std::vector<uint32_t> id = ids(of_the_step_before.has(field) ? Field::id_in : Field::id);
-  const size_t columns = element_bytes(info(field).type, 1);
-  std::vector<double> values(columns * id.size()), sorted(values.size());
+  const size_t each = components(info(field).type);
+  std::vector<double> values(each * id.size());
   backend_.download(field, values);
-  for (size_t i = 0; i < id.size(); ++i) std::copy_n(&values[columns * i], columns, &sorted[columns * id[i]]);
-  return sorted;
+  return by_id(values, id, each);
 }
 
 /// State before the last step, which is still there: x and v in the order of the last step, rho and p in that

@@ -61,7 +61,8 @@ def parse(text, settings=None, file="scene.toml"):
 def scenes():
     """Names of the scenes that ship with Sluice."""
     folder = _folder()
-    return sorted({*_sluice._shipped_scenes(), *(file.stem for file in folder.glob("*.toml"))} if folder else _sluice._shipped_scenes())
+    installed = [file.stem for file in folder.glob("*.toml")] if folder else []
+    return sorted({*_sluice._shipped_scenes(), *installed})
 
 
 Scene.settings = property(lambda self: json.loads(self._settings), doc="Every key as run, sections as dictionaries.")

@@ -1,7 +1,6 @@
 """Simulations."""
 
 import json
-import math
 import warnings
 from pathlib import Path
 
@@ -49,16 +48,11 @@ class Simulation(_sluice.Simulation):
         """
         if time is not None and steps is not None:
             raise _sluice.InputError("run: found a time and a number of steps, expected one of them")
-        end = None
         if steps is None:
-            time = self.scene.duration if time is None else time
-            if "cfl" in self.scene.settings["time"]:
-                end, steps = time, math.inf
-            else:
-                steps = round((time - self.time) / self.dt)
+            return self._run(self.scene.duration if time is None else time, each)
         reports = []
-        while len(reports) < steps and (end is None or self.time < end):
-            reports.append(self.step(end))
+        while len(reports) < steps:
+            reports.append(self.step())
             if each is not None and each(reports[-1]) is False:
                 break
         return reports

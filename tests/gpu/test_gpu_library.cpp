@@ -24,7 +24,11 @@ TEST(GpuLibrary, ADeviceOwnsItsContextAndHasTheBitsOfTheProcessor) {
   for (int k = 0; k < 9; ++k) gpu.step(), cpu.step();
   EXPECT_EQ(gpu.device().name(), "gpu");
   EXPECT_FALSE(gpu.field_in_memory("rho").in_place);
-  if (!gpu::Context().software()) GTEST_SKIP() << "bits are llvmpipe's";
+  if (!gpu::Context().software()) {  // bits are llvmpipe's
+    const auto a = gpu.field("position").as<double>(), b = cpu.field("position").as<double>();
+    for (size_t k = 0; k < a.size(); ++k) ASSERT_NEAR(a[k], b[k], 0.01 * dam().spacing);
+    return;
+  }
   for (const char* name : {"position", "velocity", "density", "pressure", "a_p", "A_ii"}) {
     const auto a = gpu.field(name).as<double>(), b = cpu.field(name).as<double>();
     EXPECT_TRUE(std::ranges::equal(a, b)) << name;

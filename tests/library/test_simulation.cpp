@@ -107,6 +107,48 @@ TEST(LibrarySimulation, VelocitiesThatAreSetAreThose) {
   EXPECT_EQ(simulation.snapshot().x, x);
 }
 
+// Stages count positions from the domain's corner, and people from the scene's origin.
+TEST(LibrarySimulation, PositionsCountFromTheScenesOrigin) {
+  sluice::Simulation simulation = dam_on_cpu(Precision::double_, {"domain.min=[-80, -16]"});
+  simulation.step();
+  const Snapshot before = simulation.snapshot();
+  const auto x = doubles(simulation, "position");
+  for (size_t i = 0; i < before.x.size(); ++i) ASSERT_EQ(Vec2(x[2 * i], x[2 * i + 1]), before.x[i]);
+  std::vector<Vec2> moved = before.x;
+  for (Vec2& each : moved) each.x += 1;
+  simulation.set_positions(moved);
+  for (size_t i = 0; i < moved.size(); ++i)
+    ASSERT_NEAR(glm::length(simulation.snapshot().x[i] - moved[i]), 0, 1e-12);
+  EXPECT_EQ(simulation.snapshot().v, before.v);
+}
+
+TEST(LibrarySimulation, AfterAFailureFieldsAreThoseOfTheSnapshot) {
+  sluice::Simulation simulation = dam_on_cpu(Precision::single_, {"viscosity.coefficient=1e30"});
+  simulation.run(40);
+  ASSERT_TRUE(simulation.failure());
+  const Snapshot state = simulation.snapshot();
+  EXPECT_EQ(doubles(simulation, "density"), state.density);
+  const auto x = doubles(simulation, "position"), v = doubles(simulation, "velocity");
+  for (size_t i = 0; i < state.x.size(); ++i) {
+    ASSERT_EQ(Vec2(x[2 * i], x[2 * i + 1]), state.x[i]);
+    ASSERT_EQ(Vec2(v[2 * i], v[2 * i + 1]), state.v[i]);
+  }
+}
+
+TEST(LibrarySimulation, MeasuresAreOfTheStateNow) {
+  sluice::Simulation simulation(
+      load_scene("breaking_dam", {R"(probe=[{name="front",y=30}])", "boundary.container.0.name=box"}),
+      cpu::device());
+  const auto front = [&] { return simulation.probes().at(0).second.value(); };
+  simulation.run(1);
+  const double before = front();
+  const double pressure = simulation.values_at({40, 40}).pressure;
+  EXPECT_EQ(simulation.wall_forces().at(0).first, "box");
+  simulation.run(4);
+  EXPECT_GT(front(), before + 20);
+  EXPECT_NE(simulation.values_at({40, 40}).pressure, pressure);
+}
+
 TEST(LibrarySimulation, WhatCannotBeSetChangesNothing) {
   sluice::Simulation simulation = dam_on_cpu();
   simulation.step();

@@ -10,8 +10,7 @@ namespace {
 using Overrides = std::vector<std::string>;
 
 std::vector<WallForce> forces_in(const Simulation& run) {
-  return WallForces(run.scene, run.samples, static_cast<uint32_t>(run.samples.fluid.size()))
-      .in(*run.backend, run.simulator->sizes());
+  return WallForces(run.scene, run.samples).in(*run.backend, run.simulator->sizes());
 }
 
 class WallForcesOf : public testing::TestWithParam<Overrides> {};

@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <thread>
+#include <vector>
 
 #include "core/stopwatch.hpp"
 
@@ -63,6 +64,20 @@ TEST(Stopwatch, SeesOtherProgramsButNotItself) {
   EXPECT_TRUE(was_busy(others));
   EXPECT_FALSE(was_busy(0.1));
   EXPECT_FALSE(was_busy(std::nullopt));
+}
+
+// There are only so many processors: what this program had, others had not.
+TEST(Stopwatch, DoesNotCountItsOwnWorkAmongTheOthers) {
+  const unsigned processors = std::thread::hardware_concurrency();
+  Stopwatch watch;
+  watch.start();
+  std::vector<std::thread> threads;
+  for (unsigned k = 0; k < processors; ++k) threads.emplace_back(work_for, milliseconds(1100));
+  for (std::thread& each : threads) each.join();
+  const double own = watch.stop();
+  const auto others = watch.others();
+  ASSERT_TRUE(others);
+  EXPECT_LT(*others + watch.cpu() / own, processors + 0.2);
 }
 
 }  // namespace
